@@ -38,7 +38,7 @@ struct Path {
 class Subject {
   public:
     Subject(const Path& path, std::size_t bytes)
-        : path_(path), table_(*path.connection.sharing, purpose::scratch), from_(bytes),
+        : path_(path), table_(*path.connection.sharing, compute::table::work_space), from_(bytes),
           to_(bytes) {
         table_.fit(bytes);
     }

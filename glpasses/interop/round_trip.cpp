@@ -16,7 +16,7 @@ bool round_trip(compute::Device& device, SharingMode mode) {
     constexpr std::uint32_t n = 1023;
     constexpr std::size_t bytes = (n + 1) * sizeof(std::uint32_t);
     Sharing sharing{device, mode};
-    SharedTable table{sharing, purpose::scratch};
+    SharedTable table{sharing, compute::table::work_space};
     table.fit(bytes);
     const std::uint32_t one = 1;
     glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);

@@ -143,12 +143,9 @@ class CopiedMemory final : public SharedMemory {
     std::span<std::byte> crossing_; ///< what is on its way
 };
 
-} // namespace
-
-std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::size_t bytes,
-                                                 const Purpose& purpose) {
+std::unique_ptr<SharedMemory> make_memory(const Sharing& sharing, std::size_t bytes,
+                                          const Purpose& purpose) {
     compute::Device& device = sharing.device();
-    bytes = std::max<std::size_t>(bytes, 64);
     return for_purpose(purpose, [&]() -> std::unique_ptr<SharedMemory> {
         switch (sharing.mode()) {
         case SharingMode::gl_sharing: {
@@ -168,6 +165,17 @@ std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::si
         }
         return std::make_unique<CopiedMemory>(device, bytes, purpose);
     });
+}
+
+} // namespace
+
+std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::size_t bytes,
+                                                 const compute::TableName& name) {
+    constexpr std::size_t least = 64;
+    std::unique_ptr<SharedMemory> memory =
+        make_memory(sharing, std::max(bytes, least), name.purpose);
+    compute::TableList::add(sharing.device(), memory->compute(), name);
+    return memory;
 }
 
 } // namespace lineatlas::interop

@@ -46,6 +46,6 @@ class SharedMemory : public Shared {
 
 /// Throws DeviceError when memory runs out or the mode does not work with this device.
 std::unique_ptr<SharedMemory> make_shared_memory(const Sharing& sharing, std::size_t bytes,
-                                                 const Purpose& purpose);
+                                                 const compute::TableName& name);
 
 } // namespace lineatlas::interop

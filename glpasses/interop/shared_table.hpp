@@ -16,9 +16,9 @@ namespace lineatlas::interop {
 /// the other side has written since: each side asks whenever it is about to use it.
 class SharedTable {
   public:
-    /// Without any room. `sharing` and `purpose` must outlive it.
-    SharedTable(Sharing& sharing, const Purpose& purpose)
-        : sharing_(&sharing), purpose_(&purpose) {}
+    /// Without any room. `sharing` and `name` must outlive it.
+    SharedTable(Sharing& sharing, const compute::TableName& name)
+        : sharing_(&sharing), name_(&name) {}
 
     /// Makes room for so many bytes, which is what stands in it from here on; true if the table is
     /// new: what stood there is gone. Throws DeviceError when memory runs out or the mode does not
@@ -27,7 +27,7 @@ class SharedTable {
         const bool is_new = !memory_ || memory_->size() < bytes;
         if (is_new) {
             memory_.reset(); // it may not fit beside another
-            memory_ = make_shared_memory(*sharing_, bytes, *purpose_);
+            memory_ = make_shared_memory(*sharing_, bytes, *name_);
             sharing_->gl_works(); // has made its part of it
         }
         memory_->used = bytes;
@@ -68,7 +68,7 @@ class SharedTable {
     friend class Sharing;
 
     Sharing* sharing_;
-    const Purpose* purpose_;
+    const compute::TableName* name_;
     std::unique_ptr<SharedMemory> memory_;
 };
 

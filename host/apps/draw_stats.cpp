@@ -1,8 +1,12 @@
 #include "draw_stats.hpp"
 #include "io/standard_streams.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
+#include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +15,7 @@
 #include <fmt/ranges.h> // fmt::join
 
 #include "core/median.hpp"
+#include "lineatlas/compute_device.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -30,6 +35,20 @@ void print_lines(const LineSet& lines) {
         "extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms, "
         "ridges {:.1f} ms\n",
         lines.times.creases, lines.times.seams, lines.times.intersections, lines.times.ridges));
+}
+
+/// Those that take most.
+void print_tables(std::vector<compute::TableMemory> tables) {
+    constexpr std::ptrdiff_t most = 6;
+    const auto shown = std::min(most, std::ssize(tables));
+    std::ranges::partial_sort(tables, tables.begin() + shown, std::greater{},
+                              &compute::TableMemory::bytes);
+    std::vector<std::string> lines;
+    for (const compute::TableMemory& table : std::span{tables}.first(shown)) {
+        lines.push_back(
+            fmt::format("{} {:.1f}", table.name, static_cast<double>(table.bytes) / (1 << 20)));
+    }
+    print_output(fmt::format("largest tables, MiB: {}\n", fmt::join(lines, ", ")));
 }
 
 /// Nothing, where there was none.
@@ -74,6 +93,7 @@ void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
         "{:.1f} MiB mesh\n",
         per(stats.segment_bytes, stats.segments), per(stats.sample_bytes, stats.samples),
         per(stats.run_bytes, stats.runs), static_cast<double>(stats.mesh_bytes) / (1 << 20)));
+    print_tables(renderer.tables());
     print_frames("whole frames", whole_frames);
     print_frames("by stages", frames_by_stages);
     for (const std::string& stage : stage_order) {

@@ -35,8 +35,8 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
       prefers_raster_(gl_samples_faster(device_.tuning())), depth_(connection), fill_(connection),
       chains_(stages_, compute::SilhouetteChains::Contours::lifted), carried_(stages_),
       batches_(stages_), temporal_(stages_), outlines_(stages_),
-      clipped_(sharing_, purpose::segments), offsets_(sharing_, purpose::segments),
-      alpha_(sharing_, purpose::atlas), strokes_(connection), intervals_(stages_) {
+      clipped_(sharing_, compute::table::clipped), offsets_(sharing_, compute::table::offsets),
+      alpha_(sharing_, compute::table::alpha), strokes_(connection), intervals_(stages_) {
     largest_side_ = gl::largest_side();
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
@@ -318,12 +318,6 @@ FrameStats AtlasMethod::stats(Frame& frame) {
             .segments = frame.scene.segment_count(),
             .samples = strokes_.samples_of_frame(),
             .runs = strokes_.runs_of_frame(),
-            .mesh_bytes = frame.scene.mesh_bytes(),
-            .segment_bytes = frame.scene.segment_bytes() + clipped_.room() + offsets_.room() +
-                             compute::bytes_of(arcs_, chains_, carried_, batches_) +
-                             temporal_.segment_bytes(),
-            .sample_bytes = alpha_.room() + temporal_.sample_bytes(),
-            .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }
 

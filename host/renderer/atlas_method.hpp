@@ -112,7 +112,7 @@ class AtlasMethod {
     OutlineStage outlines_;
     std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
     std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
-    compute::Table arcs_{device_, purpose::segments};
+    compute::Table arcs_{device_, compute::table::arcs};
     interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
     std::uint64_t most_samples_ = 0; ///< that an atlas can hold

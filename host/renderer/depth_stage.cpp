@@ -39,7 +39,8 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), surfaces_(connection),
       kernels_are_faster_(kernels_are_faster(device_.tuning())),
-      depth_(*connection.sharing, purpose::depth), tiles_(*connection.sharing, purpose::depth) {}
+      depth_(*connection.sharing, compute::table::depth_texels),
+      tiles_(*connection.sharing, compute::table::pyramid) {}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();

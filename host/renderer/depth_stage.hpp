@@ -118,9 +118,9 @@ class DepthStage {
     TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model
     interop::SharedTable depth_, tiles_;
-    compute::Table visible_{device_, purpose::model}; ///< a word per cluster
+    compute::Table visible_{device_, compute::table::visible_clusters}; ///< a word per cluster
     std::optional<glm::ivec2> blank_of_; ///< numbers of that size; none: GL has drawn since
-    compute::Table blank_{device_, purpose::depth};
+    compute::Table blank_{device_, compute::table::blank_tiles};
     std::vector<std::uint32_t> seen_;       ///< per cluster: seen in the last frame
     std::vector<std::uint32_t> appeared_;   ///< per cluster: to be drawn in the second step
     std::vector<gl::TriangleRange> ranges_; ///< drawn so far in this frame

@@ -11,7 +11,7 @@ namespace lineatlas {
 
 ExactMethod::ExactMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), lines_(stages_),
-      alpha_(*connection.sharing, purpose::exact), depth_(connection), fill_(connection),
+      alpha_(*connection.sharing, compute::table::no_alpha), depth_(connection), fill_(connection),
       strokes_(connection), intervals_(stages_) {
     alpha_.fit(16);
 }
@@ -115,10 +115,6 @@ FrameStats ExactMethod::stats(Frame& frame) {
             .segments = frame.scene.segment_count(),
             .samples = 0,
             .runs = strokes_.runs_of_frame(),
-            .mesh_bytes = frame.scene.mesh_bytes(),
-            .segment_bytes = frame.scene.segment_bytes() + lines_.segment_bytes(),
-            .sample_bytes = alpha_.room(),
-            .run_bytes = strokes_.bytes(),
             .stages = frame.clock.take()};
 }
 

@@ -10,7 +10,7 @@ namespace lineatlas {
 
 FillStage::FillStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()),
-      pixels_(*connection.sharing, purpose::picture) {}
+      pixels_(*connection.sharing, compute::table::pixels) {}
 
 void FillStage::prepare(const Frame& frame) {
     shaded_.fit(frame.scene.triangle_count() * sizeof(la_uint));

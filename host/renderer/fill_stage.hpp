@@ -41,12 +41,12 @@ class FillStage {
     void prepare(const Frame& frame);
 
     compute::Stages& stages_;
-    compute::Device& device_;                       ///< of stages_
-    compute::Table shaded_{device_, purpose::fill}; ///< per triangle
-    interop::SharedTable pixels_;                   ///< of a tile
-    glm::ivec2 size_{0, 0};                         ///< of the tile that was coloured last
-    TexelRectangle part_;                           ///< of it, where the model may be
-    std::optional<gl::LayerPass> layer_;            ///< made when first used
+    compute::Device& device_;                                       ///< of stages_
+    compute::Table shaded_{device_, compute::table::shaded_colors}; ///< per triangle
+    interop::SharedTable pixels_;                                   ///< of a tile
+    glm::ivec2 size_{0, 0};              ///< of the tile that was coloured last
+    TexelRectangle part_;                ///< of it, where the model may be
+    std::optional<gl::LayerPass> layer_; ///< made when first used
 };
 
 } // namespace lineatlas

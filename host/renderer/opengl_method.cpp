@@ -20,8 +20,6 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = frame.scene.triangle_count(),
             .segments = frame.scene.segment_count(),
-            .mesh_bytes = frame.scene.mesh_bytes(),
-            .segment_bytes = frame.scene.segment_bytes(),
             .stages = frame.clock.take()};
 }
 

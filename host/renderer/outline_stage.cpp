@@ -20,22 +20,22 @@ compute::OutlineTable OutlineStage::find(Frame& frame, const compute::SegmentAtl
                                          DepthStage& depth) {
     compute::Device& device = stages_.device();
     const compute::SegmentTable segments = frame.scene.table();
-    tables_.fit(Table::offsets, (segments.segment_count + std::uint64_t{1}) * sizeof(la_uint));
+    offsets_.fit((segments.segment_count + std::uint64_t{1}) * sizeof(la_uint));
     capacity_ = std::max(capacity_, compute::first_capacity<Part>(device, first_capacity));
     frame.clock("outline", [&] {
         for (bool again = true; again;) {
-            tables_.fit(Table::parts, std::uint64_t{capacity_} * sizeof(Part));
+            parts_.fit(std::uint64_t{capacity_} * sizeof(Part));
             stages_.outline_samples({.table = segments,
                                      .clipped = atlas.clipped,
                                      .sample_capacity = atlas.capacity,
                                      .depth = depth.probed(frame),
                                      .viewport = frame.viewport(),
                                      .body = outline_depth(frame.options.style, frame.camera.size),
-                                     .part_offsets = tables_[Table::offsets],
-                                     .parts = tables_[Table::parts],
+                                     .part_offsets = *offsets_,
+                                     .parts = *parts_,
                                      .part_capacity = capacity_});
             const auto parts =
-                compute::read_one<la_uint>(device, tables_[Table::offsets], segments.segment_count);
+                compute::read_one<la_uint>(device, *offsets_, segments.segment_count);
             again = parts > capacity_;
             if (again) capacity_ = compute::capacity_for<Part>(device, parts);
         }

@@ -12,19 +12,18 @@ namespace lineatlas {
 class OutlineStage {
   public:
     explicit OutlineStage(compute::Stages& stages)
-        : stages_(stages), tables_(stages.device(), purpose::segments) {}
+        : stages_(stages), offsets_(stages.device(), compute::table::outline_offsets),
+          parts_(stages.device(), compute::table::outline_parts) {}
 
     /// Of the frame's segments; waits for their number. `atlas`: its samples are not read.
     compute::OutlineTable find(Frame& frame, const compute::SegmentAtlas& atlas, DepthStage& depth);
     /// What find() found.
-    compute::OutlineTable found() const { return {tables_[Table::offsets], tables_[Table::parts]}; }
+    compute::OutlineTable found() const { return {*offsets_, *parts_}; }
 
   private:
-    enum class Table { offsets, parts, count };
-
     compute::Stages& stages_;
-    compute::GrowingTables<Table> tables_;
-    std::uint32_t capacity_ = 0; ///< of Table::parts
+    compute::Table offsets_, parts_;
+    std::uint32_t capacity_ = 0; ///< of `parts_`
 };
 
 } // namespace lineatlas

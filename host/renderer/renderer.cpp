@@ -148,6 +148,11 @@ class Renderer::State {
         return gl::StateGuard{};
     }
 
+    std::vector<compute::TableMemory> tables() const {
+        const auto& all = connection_.stages->device().tables();
+        return {all.begin(), all.end()};
+    }
+
     std::string description() const {
         return connection_.stages->device().description() + ", sharing by " +
                std::string{interop::name_of(connection_.sharing->mode())};
@@ -384,7 +389,18 @@ class Renderer::State {
         gl::require_alive();
         broken_ = false;
         has_frame_ = true;
+        count_memory(stats);
         return stats;
+    }
+
+    void count_memory(FrameStats& stats) const {
+        const compute::Device& device = connection_.stages->device();
+        stats.mesh_bytes =
+            compute::bytes_for(device, {&purpose::model, &purpose::motion, &purpose::fill});
+        stats.segment_bytes = compute::bytes_for(device, {&purpose::segments, &purpose::exact});
+        stats.sample_bytes = compute::bytes_for(device, {&purpose::atlas});
+        stats.run_bytes =
+            compute::bytes_for(device, {&purpose::strokes, &purpose::density, &purpose::halos});
     }
 
     std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
@@ -505,6 +521,10 @@ Renderer& Renderer::operator=(Renderer&& other) noexcept {
 
 std::string Renderer::description() const {
     return state_->description();
+}
+
+std::vector<compute::TableMemory> Renderer::tables() const {
+    return state_->tables();
 }
 
 std::string Renderer::note() const {

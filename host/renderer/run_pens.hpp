@@ -39,7 +39,8 @@ class RunPens {
     };
 
     struct OfSegments {
-        explicit OfSegments(compute::Device& device) : values(device, purpose::strokes) {}
+        explicit OfSegments(compute::Device& device)
+            : values(device, compute::table::segment_pens) {}
 
         std::optional<Uploaded> holds;
         compute::Table values;

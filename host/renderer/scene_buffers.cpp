@@ -53,22 +53,12 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, c
     cluster_objects_ = std::move(made.objects);
     triangle_order_ = std::move(made.order);
     upload_colors(lines);
-    tables_.clusters = upload(device(), bytes_of(clusters_), purpose::model);
+    tables_.clusters = upload(device(), bytes_of(clusters_), compute::table::clusters);
     if (parts != nullptr) follow(*parts);
 }
 
 bool SceneBuffers::is_cut_up() const {
     return triangle_count_ >= fewest_triangles_culled;
-}
-
-std::uint64_t SceneBuffers::mesh_bytes() const {
-    std::uint64_t sum = tables_.vertices->size() + tables_.triangles->size() + normals_.bytes() +
-                        (tables_.moving ? tables_.moving->bytes() + tables_.drawn->room() : 0);
-    for (const auto* buffer : {&tables_.meshlets, &tables_.vertex_list, &tables_.corners,
-                               &tables_.numbers, &tables_.patches, &tables_.colors}) {
-        if (*buffer) sum += (*buffer)->size();
-    }
-    return sum;
 }
 
 std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
@@ -102,9 +92,10 @@ compute::MeshletTables SceneBuffers::meshlets() {
     if (!tables_.meshlets) {
         Meshlets built = build_meshlets(ordered_triangles(), clusters_, motion_.vertex_count());
         if (followed_) built = spread_out(built, 0);
-        auto vertex_list = upload(device(), bytes_of(built.vertices), purpose::model);
-        auto corners = upload(device(), bytes_of(built.corners), purpose::model);
-        tables_.meshlets = upload(device(), bytes_of(built.meshlets), purpose::model);
+        auto vertex_list =
+            upload(device(), bytes_of(built.vertices), compute::table::meshlet_vertices);
+        auto corners = upload(device(), bytes_of(built.corners), compute::table::meshlet_corners);
+        tables_.meshlets = upload(device(), bytes_of(built.meshlets), compute::table::meshlets);
         tables_.vertex_list = std::move(vertex_list);
         tables_.corners = std::move(corners);
     }
@@ -122,8 +113,8 @@ SceneBuffers::Surfaces SceneBuffers::surfaces() {
             numbers[triangle_order_[i]] = i;
             patches[i] = of_triangles[triangle_order_[i]];
         }
-        auto uploaded = upload(device(), bytes_of(numbers), purpose::model);
-        tables_.patches = upload(device(), bytes_of(patches), purpose::model);
+        auto uploaded = upload(device(), bytes_of(numbers), compute::table::triangle_numbers);
+        tables_.patches = upload(device(), bytes_of(patches), compute::table::triangle_patches);
         tables_.numbers = std::move(uploaded);
     }
     return {*tables_.numbers, *tables_.patches};
@@ -156,7 +147,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
         tables_.cluster_triangles =
-            upload(device(), bytes_of(ordered_triangles()), purpose::motion);
+            upload(device(), bytes_of(ordered_triangles()), compute::table::cluster_triangles);
     }
     const auto count = static_cast<std::uint32_t>(clusters_.size());
     stages_->launch_each<compute::kernels::transform_bounds>(
@@ -195,7 +186,7 @@ SceneBuffers::Moving SceneBuffers::make_moving(compute::Stages& stages,
                                     .cluster_objects = cluster_objects_,
                                     .corner_count = tables_.contour_chunk().corner_count()};
     Moving made{std::make_unique<MovingTables>(stages, shape),
-                std::make_unique<interop::SharedTable>(sharing, purpose::motion)};
+                std::make_unique<interop::SharedTable>(sharing, compute::table::drawn_vertices)};
     made.drawn->fit(motion_.vertex_count() * sizeof(glm::vec3));
     return made;
 }
@@ -277,30 +268,33 @@ compute::Buffer* SceneBuffers::colors() {
         look_up(std::uint8_t{});
     else
         look_up(std::uint16_t{});
-    tables_.colors = upload(device(), bytes_of(colors), purpose::fill);
+    tables_.colors = upload(device(), bytes_of(colors), compute::table::colors);
     return tables_.colors.get();
 }
 
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
-    const auto copy = [&](compute::Buffer& buffer) {
+    const auto copy = [&](compute::Buffer& buffer, const compute::TableName& name) {
         return upload(stages.device(),
                       bytes_of(compute::read_back<std::byte>(device(), buffer, buffer.size())),
-                      purpose::model);
+                      name);
     };
     normals_.find(*stages_, tables_);
     const LineSet contours = download_contours(device(), tables_, triangle_count_);
     std::vector<LineTables::Chunk> chunks =
         upload_segments(stages.device(), download_segments(device(), tables_), &contours);
     if (followed_ && chunks.size() == 1) { // lists of parts stand where they are
-        chunks.front().end_offsets = copy(*tables_.chunks.front().end_offsets);
-        chunks.front().ends = copy(*tables_.chunks.front().ends);
+        chunks.front().end_offsets =
+            copy(*tables_.chunks.front().end_offsets, compute::table::end_offsets);
+        chunks.front().ends = copy(*tables_.chunks.front().ends, compute::table::ends);
     }
-    Tables copied{{.vertices = copy(*tables_.vertices),
-                   .triangles = copy(*tables_.triangles),
+    Tables copied{{.vertices = copy(*tables_.vertices, compute::table::vertices),
+                   .triangles = copy(*tables_.triangles, compute::table::triangles),
                    .chunks = std::move(chunks),
                    .tracer = tables_.tracer},
-                  copy(*tables_.clusters),
-                  tables_.cluster_triangles ? copy(*tables_.cluster_triangles) : nullptr};
+                  copy(*tables_.clusters, compute::table::clusters),
+                  tables_.cluster_triangles
+                      ? copy(*tables_.cluster_triangles, compute::table::cluster_triangles)
+                      : nullptr};
     if (tables_.moving) {
         Moving made = make_moving(stages, sharing);
         copied.moving = std::move(made.moving);

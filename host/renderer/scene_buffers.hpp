@@ -145,8 +145,6 @@ class SceneBuffers {
     std::uint32_t most_elements() const {
         return std::max({motion_.vertex_count(), triangle_count_, segment_count()});
     }
-    std::uint64_t mesh_bytes() const;
-    std::uint64_t segment_bytes() const { return std::uint64_t{segment_count()} * sizeof(Segment); }
 
   private:
     // Of parts: host/renderer/scene_parts.cpp.

@@ -68,8 +68,9 @@ void SceneBuffers::follow(const AssemblyState& parts) {
         std::ranges::copy(own.ends, ends.begin() + 2 * rooms.candidates.first);
     }
     LineTables::Chunk& chunk = tables_.chunks.front();
-    chunk.end_offsets = upload(device(), std::as_bytes(std::span{offsets}), purpose::segments);
-    chunk.ends = upload(device(), std::as_bytes(std::span{ends}), purpose::segments);
+    chunk.end_offsets =
+        upload(device(), std::as_bytes(std::span{offsets}), compute::table::end_offsets);
+    chunk.ends = upload(device(), std::as_bytes(std::span{ends}), compute::table::ends);
     start_moving(
         make_moving(*stages_, *sharing_)); // in GL, too, a part is where the device puts it
 }

@@ -39,8 +39,6 @@ FrameStats SpineMethod::draw(Frame& frame) {
     return {.triangles = frame.scene.triangle_count(),
             .triangles_drawn = depth_.triangles_drawn(),
             .segments = frame.scene.segment_count(),
-            .mesh_bytes = frame.scene.mesh_bytes(),
-            .segment_bytes = frame.scene.segment_bytes(),
             .stages = frame.clock.take()};
 }
 

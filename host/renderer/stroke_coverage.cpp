@@ -48,7 +48,8 @@ StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
       kernels_are_faster_(kernels_are_faster(device_.tuning())), lists_{Lists{device_},
                                                                         Lists{device_}},
-      coverage_(sharing_, purpose::strokes), shown_(sharing_, purpose::strokes) {}
+      coverage_(sharing_, compute::table::coverage), shown_(sharing_, compute::table::shown_tiles) {
+}
 
 bool StrokeCoverage::wants(const Frame& frame) const {
     if (!wants_stroke_kernels(frame.options, kernels_are_faster_)) return false;
@@ -127,7 +128,7 @@ const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
     if (found != marks_.end()) return found->second;
     const PenMark painted = make_pen(pen.mark, pen.width);
     const auto columns = static_cast<std::size_t>(painted.size.x);
-    Mark made{.values = compute::Table{device_, purpose::pen},
+    Mark made{.values = compute::Table{device_, compute::table::mark},
               .length = static_cast<std::uint32_t>(columns),
               .repeat_length = painted.repeat_length};
     if (columns > 0) {
@@ -187,12 +188,6 @@ void StrokeCoverage::show(Frame& frame) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         pass_.draw(layers_, std::span{colors}.first(count), frame.camera.origin);
     });
-}
-
-std::uint64_t StrokeCoverage::bytes() const {
-    std::uint64_t sum = coverage_.room() + shown_.room();
-    for (const Lists& own : lists_) sum += compute::bytes_of(own.ends, own.entries);
-    return sum;
 }
 
 } // namespace lineatlas

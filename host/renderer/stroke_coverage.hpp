@@ -44,7 +44,6 @@ class StrokeCoverage {
               compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends, bool again);
     /// Puts all that was drawn over the frame's picture.
     void show(Frame& frame);
-    std::uint64_t bytes() const;
 
   private:
     /// Values along a mark that is even across; on the device, with the last before the first and
@@ -56,7 +55,8 @@ class StrokeCoverage {
     };
     struct Lists {
         explicit Lists(compute::Device& device)
-            : ends(device, purpose::strokes), entries(device, purpose::strokes) {}
+            : ends(device, compute::table::stroke_ends),
+              entries(device, compute::table::stroke_entries) {}
 
         compute::Table ends, entries;
         std::uint32_t capacity = 0, total = 0;

@@ -364,15 +364,6 @@ void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, s
     });
 }
 
-std::uint64_t StrokeStage::bytes() const {
-    std::uint64_t sum = coverage_.bytes();
-    for (const Thinning& thinning : thinning_)
-        sum += thinning.weights.room() + thinning.grid.bytes();
-    for (const RunTable* table : {&visible_, &hidden_, &penned_, &penned_hidden_})
-        sum += table->runs.room();
-    return sum + compute::bytes_of(raw_runs_, cuts_);
-}
-
 std::vector<Run> StrokeStage::read_runs() {
     std::vector<Run> runs(visible_.totals.points[0]);
     device_.download(visible_.runs.compute(), std::as_writable_bytes(std::span{runs}));

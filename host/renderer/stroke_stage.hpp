@@ -59,7 +59,6 @@ class StrokeStage {
     std::uint32_t sample_total() const { return visible_.totals.sample_total; }
     std::uint32_t samples_of_frame() const { return kept_samples_ + unkept(sample_total()); }
     std::uint32_t runs_of_frame() const { return kept_runs_ + unkept(visible_.totals.run_total); }
-    std::uint64_t bytes() const;
     /// The visible runs of the last frame.
     std::vector<Run> read_runs();
     /// What density control left of lines in the last frame; empty without it.
@@ -69,7 +68,7 @@ class StrokeStage {
     /// Runs on both sides, and how many there are.
     struct RunTable {
         explicit RunTable(interop::Sharing& sharing)
-            : runs(sharing, purpose::strokes), record(sharing, purpose::strokes) {}
+            : runs(sharing, compute::table::runs), record(sharing, compute::table::records) {}
 
         interop::SharedTable runs, record;
         std::uint32_t capacity = 0;
@@ -86,7 +85,8 @@ class StrokeStage {
     /// What `density` leaves of lines.
     struct Thinning {
         explicit Thinning(interop::Sharing& sharing)
-            : weights(sharing, purpose::density), grid(sharing.device(), purpose::density) {}
+            : weights(sharing, compute::table::density_weights),
+              grid(sharing.device(), compute::table::density_grid) {}
 
         bool on = false;                         ///< in the current frame
         interop::SharedTable weights;            ///< 0 to 1, per bin and cell
@@ -146,8 +146,8 @@ class StrokeStage {
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, by_spans_ = false;
     // Before `filter`, on the device alone.
-    compute::Table raw_runs_{device_, purpose::strokes}, raw_record_{device_, purpose::strokes},
-        cuts_{device_, purpose::halos};
+    compute::Table raw_runs_{device_, compute::table::raw_runs},
+        raw_record_{device_, compute::table::records}, cuts_{device_, compute::table::halo_cuts};
     std::uint32_t raw_capacity_ = 0;
     bool is_first_ = true;             ///< no frame has had a line
     std::array<Thinning, 2> thinning_; ///< of visible lines and of hidden ones

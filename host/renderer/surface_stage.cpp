@@ -12,9 +12,9 @@ constexpr std::size_t plane_bytes = 4 * sizeof(float);
 } // namespace
 
 SurfaceStage::SurfaceStage(const interop::Connection& connection)
-    : stages_(*connection.stages), numbers_(*connection.sharing, purpose::depth),
-      planes_(*connection.sharing, purpose::model), plane_texture_(gl::TextureBuffer::create()),
-      patch_texture_(gl::TextureBuffer::create()) {}
+    : stages_(*connection.stages), numbers_(*connection.sharing, compute::table::seen_numbers),
+      planes_(*connection.sharing, compute::table::planes),
+      plane_texture_(gl::TextureBuffer::create()), patch_texture_(gl::TextureBuffer::create()) {}
 
 void SurfaceStage::begin(Frame& frame, glm::ivec2 size) {
     known_ = frame.knows_surfaces();

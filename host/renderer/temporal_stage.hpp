@@ -50,9 +50,6 @@ class TemporalStage {
     void average(Frame& frame, const compute::SegmentAtlas& atlas,
                  compute::SilhouetteChains& chains);
 
-    std::uint64_t segment_bytes() const { return compute::bytes_of(offsets_, ranges_, positions_); }
-    std::uint64_t sample_bytes() const { return alpha_.bytes(); }
-
   private:
     void make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes);
     /// The frame has no silhouettes.
@@ -63,9 +60,11 @@ class TemporalStage {
     std::optional<LastFrame> last_;
     std::optional<float> motion_;
     // What the last frame left:
-    compute::Table alpha_{device_, purpose::atlas}, offsets_{device_, purpose::segments},
-        ranges_{device_, purpose::segments};
-    compute::Table positions_{device_, purpose::segments}; ///< of candidates, see ChainOrder
+    compute::Table alpha_{device_, compute::table::alpha_before},
+        offsets_{device_, compute::table::offsets_before},
+        ranges_{device_, compute::table::ranges_before};
+    compute::Table positions_{device_,
+                              compute::table::positions_before}; ///< of candidates, see ChainOrder
 };
 
 } // namespace lineatlas

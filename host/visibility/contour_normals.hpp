@@ -20,7 +20,6 @@ class ContourNormals {
         offsets_.reset();
         places_.reset();
     }
-    std::uint64_t bytes() const { return offsets_ ? offsets_->size() + places_->size() : 0; }
 
   private:
     std::unique_ptr<compute::Buffer> offsets_, places_; ///< as CornerPlaces

@@ -90,9 +90,6 @@ class ExactLines {
     compute::OutlineTable outline(float depth) { return visibility_.outline(clipped(), depth); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
-    std::uint64_t segment_bytes() const {
-        return compute::bytes_of(clipped_, arcs_, no_offsets_, visibility_, chains_, batches_);
-    }
 
   private:
     using TracedSilhouettes = compute::TracedSilhouettes;
@@ -107,8 +104,9 @@ class ExactLines {
     compute::SilhouetteChains chains_;
     compute::Batches batches_; ///< of segments
     compute::ExactVisibility visibility_;
-    compute::Table clipped_{device_, purpose::segments}, arcs_{device_, purpose::segments};
-    compute::Table no_offsets_{device_, purpose::segments}; ///< all 0: no segment has samples
+    compute::Table clipped_{device_, compute::table::clipped}, arcs_{device_, compute::table::arcs};
+    compute::Table no_offsets_{device_,
+                               compute::table::no_offsets}; ///< all 0: no segment has samples
     bool silhouettes_grew_ = false;                         ///< since make_tables()
 };
 

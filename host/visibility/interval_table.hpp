@@ -42,7 +42,8 @@ class IntervalTable {
 
   private:
     compute::Device& device_;
-    compute::Table table_{device_, purpose::intervals}, total_buffer_{device_, purpose::intervals};
+    compute::Table table_{device_, compute::table::intervals},
+        total_buffer_{device_, compute::table::interval_total};
     std::uint32_t capacity_;
     std::uint32_t total_ = 0;
     bool kept_ = false;

@@ -58,21 +58,22 @@ void add_candidates(compute::Device& device, std::span<const Segment> segments,
     std::uint32_t last = 0;
     for (const Segment& edge : edges) last = std::max({last, edge.p, edge.q});
     const EdgeEnds found = ends_by_vertex(edges, std::size_t{last} + 2);
-    chunk.end_offsets = upload(device, std::as_bytes(std::span{found.offsets}), purpose::segments);
-    chunk.ends = upload(device, std::as_bytes(std::span{found.ends}), purpose::segments);
+    chunk.end_offsets =
+        upload(device, std::as_bytes(std::span{found.offsets}), compute::table::end_offsets);
+    chunk.ends = upload(device, std::as_bytes(std::span{found.ends}), compute::table::ends);
 }
 
 void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
                   LineTables::Chunk& chunk) {
     const Contours& contours = lines.contours;
-    const auto to_device = [&](const auto& values) {
-        return upload(device, std::as_bytes(std::span{values}), purpose::segments);
+    const auto to_device = [&](const auto& values, const compute::TableName& name) {
+        return upload(device, std::as_bytes(std::span{values}), name);
     };
-    chunk.corners = to_device(contours.corners);
-    chunk.edges = to_device(contour_edges(contours, segments));
-    chunk.face_corners = to_device(contour_corners(contours));
-    chunk.faces = to_device(contour_faces(contours));
-    chunk.patches = to_device(contour_patches(lines, segments));
+    chunk.corners = to_device(contours.corners, compute::table::contour_corners);
+    chunk.edges = to_device(contour_edges(contours, segments), compute::table::contour_edges);
+    chunk.face_corners = to_device(contour_corners(contours), compute::table::contour_face_corners);
+    chunk.faces = to_device(contour_faces(contours), compute::table::contour_faces);
+    chunk.patches = to_device(contour_patches(lines, segments), compute::table::contour_patches);
     chunk.replaced = contours.replaced;
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
 }
@@ -196,15 +197,6 @@ std::uint32_t LineTables::Chunk::corner_count() const {
     return corners ? static_cast<std::uint32_t>(corners->size() / sizeof(ContourCorner)) : 0;
 }
 
-std::uint64_t LineTables::Chunk::bytes() const {
-    std::uint64_t sum = segments->size();
-    for (const auto* buffer :
-         {&end_offsets, &ends, &corners, &edges, &face_corners, &faces, &patches}) {
-        if (*buffer) sum += (*buffer)->size();
-    }
-    return sum;
-}
-
 std::uint32_t LineTables::most_fixed_segments() const {
     std::uint32_t most = 1; // a table has some size
     for (const Chunk& chunk : chunks) most = std::max(most, chunk.candidates().first);
@@ -212,8 +204,8 @@ std::uint32_t LineTables::most_fixed_segments() const {
 }
 
 std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
-                                        const Purpose& purpose) {
-    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, data.size(), purpose);
+                                        const compute::TableName& name) {
+    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, data.size(), name);
     device.upload(*buffer, data);
     return buffer;
 }
@@ -237,7 +229,8 @@ upload_segments(compute::Device& device, std::span<const Segment> segments, cons
     for (const SegmentRange& range : ranges) {
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
         const bool is_last = range.first + range.count == segments.size();
-        chunks.push_back({range, upload(device, std::as_bytes(part), purpose::segments)});
+        chunks.push_back(
+            {range, upload(device, std::as_bytes(part), compute::table::line_segments)});
         add_candidates(device, part, has_contours && is_last ? &lines->contours : nullptr,
                        chunks.back());
     }
@@ -283,10 +276,11 @@ std::vector<Segment> download_segments(compute::Device& device, const LineTables
 
 LineTables upload_lines(compute::Device& device, const LineSet& lines) {
     check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
-    LineTables result{
-        .vertices = upload(device, std::as_bytes(std::span{lines.vertices}), purpose::model),
-        .triangles = upload(device, std::as_bytes(std::span{lines.triangles}), purpose::model),
-        .chunks = upload_segments(device, lines.segments, &lines)};
+    LineTables result{.vertices = upload(device, std::as_bytes(std::span{lines.vertices}),
+                                         compute::table::vertices),
+                      .triangles = upload(device, std::as_bytes(std::span{lines.triangles}),
+                                          compute::table::triangles),
+                      .chunks = upload_segments(device, lines.segments, &lines)};
     if (!lines.contours.surfaces.empty() && result.contour_chunk().contours())
         result.tracer = std::make_shared<ContourTracer>(lines);
     return result;

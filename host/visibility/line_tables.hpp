@@ -34,7 +34,6 @@ struct LineTables {
         }
         std::optional<compute::ContourTables> contours(compute::Buffer* turned = nullptr) const;
         std::uint32_t corner_count() const;
-        std::uint64_t bytes() const;
     };
     std::unique_ptr<compute::Buffer> vertices, triangles;
     std::vector<Chunk> chunks; ///< at least one
@@ -55,7 +54,7 @@ struct LineTables {
 
 /// A buffer of the device with that content.
 std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
-                                        const Purpose& purpose);
+                                        const compute::TableName& name);
 /// `lines`: whose segments these are, for its contours; of its vertices and triangles it is looked
 /// at how many there are. Null, or where the device has no room for all: silhouettes run along
 /// edges.

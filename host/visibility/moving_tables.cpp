@@ -20,9 +20,9 @@ void add_rows(std::vector<float>& rows, const Matrix& matrix) {
 }
 
 template <class T>
-std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const T> values) {
-    std::unique_ptr<compute::Buffer> buffer =
-        compute::allocate(device, values.size_bytes(), purpose::motion);
+std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const T> values,
+                                        const compute::TableName& name) {
+    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, values.size_bytes(), name);
     device.upload(*buffer, std::as_bytes(values));
     return buffer;
 }
@@ -43,17 +43,20 @@ MovingTables::MovingTables(compute::Stages& stages, const Shape& shape)
     : stages_(stages), device_(stages.device()), vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       corner_count_(shape.corner_count),
-      objects_(upload<std::uint32_t>(device_, object_of_vertices(shape))),
-      cluster_objects_(upload(device_, shape.cluster_objects)),
+      objects_(upload<std::uint32_t>(device_, object_of_vertices(shape), compute::table::objects)),
+      cluster_objects_(upload(device_, shape.cluster_objects, compute::table::cluster_objects)),
       matrices_(compute::allocate(device_, shape.object_room * matrix_floats * sizeof(float),
-                                  purpose::motion)),
-      jumped_(compute::allocate(device_, shape.object_room, purpose::motion)),
-      vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3), purpose::motion)),
-      clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster), purpose::motion)) {
+                                  compute::table::matrices)),
+      jumped_(compute::allocate(device_, shape.object_room, compute::table::jumped)),
+      vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3),
+                                  compute::table::moved_vertices)),
+      clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster),
+                                  compute::table::moved_clusters)) {
     if (corner_count_ == 0) return;
     turns_ = compute::allocate(device_, shape.object_room * turn_floats * sizeof(float),
-                               purpose::motion);
-    corners_ = compute::allocate(device_, corner_count_ * sizeof(ContourCorner), purpose::motion);
+                               compute::table::turns);
+    corners_ = compute::allocate(device_, corner_count_ * sizeof(ContourCorner),
+                                 compute::table::turned_corners);
 }
 
 void MovingTables::set_object(std::uint32_t object, std::uint32_t first_vertex,
@@ -104,16 +107,6 @@ void MovingTables::forget(const compute::SegmentTable& table, std::span<const st
     stages_.launch_each<compute::kernels::transform_forget>(
         table.segment_count,
         {.segments = table.segments, .objects = *objects_, .jumped = *jumped_, .ranges = ranges});
-}
-
-std::uint64_t MovingTables::bytes() const {
-    std::uint64_t sum = unread_.bytes();
-    for (const auto* buffer :
-         {&objects_, &cluster_objects_, &matrices_, &jumped_, &vertices_, &clusters_}) {
-        sum += (*buffer)->size();
-    }
-    if (corners_) sum += turns_->size() + corners_->size();
-    return sum;
 }
 
 } // namespace lineatlas

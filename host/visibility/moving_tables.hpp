@@ -48,7 +48,6 @@ class MovingTables {
     compute::Buffer& vertices() const { return *vertices_; }
     compute::Buffer& clusters() const { return *clusters_; }
     compute::Buffer* corners() const { return corners_.get(); } ///< null if there are none
-    std::uint64_t bytes() const;
 
   private:
     compute::Stages& stages_;
@@ -57,8 +56,9 @@ class MovingTables {
     std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;
     std::unique_ptr<compute::Buffer> vertices_, clusters_;
     std::unique_ptr<compute::Buffer> turns_, corners_; ///< where there are contours
-    compute::Table unread_{device_, purpose::motion};  ///< where nobody asks for vertices for GL
-    std::vector<float> rows_;                          ///< of matrices, kept for its memory
+    compute::Table unread_{
+        device_, compute::table::drawn_vertices}; ///< where nobody asks for vertices for GL
+    std::vector<float> rows_;                     ///< of matrices, kept for its memory
 };
 
 } // namespace lineatlas

@@ -36,7 +36,7 @@ struct Counted {
         : opencl(mode == SharingMode::gl_sharing
                      ? compute::make_opencl_backend(device, interop::current_gl_properties())
                      : compute::make_opencl_backend(device)),
-          stages(*opencl), sharing(*opencl, mode), table(sharing, purpose::scratch) {
+          stages(*opencl), sharing(*opencl, mode), table(sharing, compute::table::work_space) {
         table.fit((n + 1) * sizeof(std::uint32_t));
         const std::uint32_t one = 1;
         glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
@@ -108,7 +108,7 @@ TEST_F(GlSharing, ExternalMemoryOfAnySizeArrives) {
     if (const std::string why = missing_vulkan(); !why.empty()) GTEST_SKIP() << why;
     Counted counted{device(), SharingMode::external_memory};
     for (const std::size_t bytes : {1U, 64U, 4095U, 4096U, 70'000U, 5'000'000U}) {
-        interop::SharedTable table{counted.sharing, purpose::scratch};
+        interop::SharedTable table{counted.sharing, compute::table::work_space};
         std::vector<std::byte> written(bytes), seen(bytes);
         for (std::size_t i = 0; i < bytes; ++i) written[i] = static_cast<std::byte>(i % 251);
         table.fit(bytes);
@@ -121,7 +121,7 @@ TEST_F(GlSharing, ExternalMemoryOfAnySizeArrives) {
 
 TEST_F(GlSharing, SeveralTablesWaitOnce) {
     Counted counted{device()};
-    interop::SharedTable other{counted.sharing, purpose::scratch};
+    interop::SharedTable other{counted.sharing, compute::table::work_space};
     other.fit(64);
     counted.sharing.to_gl({&counted.table, &other}); // there already
     take_counts();
@@ -161,7 +161,7 @@ TEST_F(GlSharing, CopiesBringWhatWasWrittenAndNoMore) {
     const auto cpp = compute::make_device("cpp");
     compute::Stages stages{*cpp};
     interop::Sharing sharing{*cpp, SharingMode::copy};
-    interop::SharedTable table{sharing, purpose::scratch};
+    interop::SharedTable table{sharing, compute::table::work_space};
     constexpr std::size_t count = 16;
     table.fit(count * sizeof(std::uint32_t));
     const auto clear_by_gl = [](GLuint buffer, std::uint32_t value) {
@@ -194,7 +194,7 @@ TEST_F(GlSharing, CopiesBringWhatWasWrittenAndNoMore) {
 TEST_F(GlSharing, TheLayerNoticesUseWithoutAcquire) {
     Counted counted{device()};
     const auto memory = interop::make_shared_memory(
-        counted.sharing, (Counted::n + 1) * sizeof(std::uint32_t), purpose::scratch);
+        counted.sharing, (Counted::n + 1) * sizeof(std::uint32_t), compute::table::work_space);
     take_counts();
     glFinish();
     counted.stages.scan(memory->compute(), Counted::n, compute::ScanKind::saturate);

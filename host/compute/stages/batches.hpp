@@ -24,7 +24,6 @@ class Batches {
     bool has_triangles(const SegmentTable& table);
     /// Of the last that there are.
     BatchTable table() const { return {*boxes_, *states_, count_}; }
-    std::uint64_t bytes() const { return bytes_of(boxes_, states_); }
 
   private:
     /// What boxes are of.
@@ -44,7 +43,7 @@ class Batches {
     Of of_;
     bool made_ = false; ///< of what of_ says
     std::uint32_t count_ = 0;
-    Table boxes_{device_, purpose::segments}, states_{device_, purpose::segments};
+    Table boxes_{device_, table::batch_boxes}, states_{device_, table::batch_states};
 };
 
 } // namespace lineatlas::compute

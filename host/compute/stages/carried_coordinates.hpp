@@ -10,7 +10,7 @@ class CarriedCoordinates {
   public:
     /// `stages` must outlive it.
     explicit CarriedCoordinates(Stages& stages)
-        : stages_(stages), device_(stages.device()), tables_(device_, purpose::segments) {}
+        : stages_(stages), device_(stages.device()), tables_(device_, table::carry) {}
 
     /// Gives up its tables, and what it remembers.
     void release();
@@ -22,7 +22,6 @@ class CarriedCoordinates {
               glm::vec2 viewport, float limit);
     /// Puts them into runs of that frame.
     void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
-    std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
     enum class Table {

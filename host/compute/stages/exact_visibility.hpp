@@ -15,7 +15,7 @@ class ExactVisibility {
     /// `stages` must outlive it.
     explicit ExactVisibility(Stages& stages)
         : stages_(stages), device_(stages.device()), triangles_(stages),
-          tables_(device_, purpose::exact) {}
+          tables_(device_, table::exact_lists) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -46,7 +46,6 @@ class ExactVisibility {
     /// A uint32 per segment and one more, not in use before visible(): for what project_clip
     /// counts.
     Buffer& counts() const { return tables_[Table::span_offsets]; }
-    std::uint64_t bytes() const { return tables_.bytes() + triangles_.bytes(); }
 
   private:
     enum class Table {

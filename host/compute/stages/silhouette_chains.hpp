@@ -40,8 +40,8 @@ class SilhouetteChains {
 
     /// `stages` must outlive it.
     explicit SilhouetteChains(Stages& stages, Contours drawn)
-        : stages_(stages), device_(stages.device()), drawn_(drawn),
-          tables_(device_, purpose::segments) {}
+        : stages_(stages), device_(stages.device()), drawn_(drawn), tables_(device_, table::chain) {
+    }
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -93,7 +93,6 @@ class SilhouetteChains {
     /// frame was without().
     ChainOrder order(const SegmentTable& table, Buffer& positions_before) const;
     bool has_order() const { return has_order_; }
-    std::uint64_t bytes() const { return tables_.bytes(); } ///< of all its tables
 
   private:
     SegmentTable without(const SegmentTable& table);

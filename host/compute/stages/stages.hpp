@@ -175,8 +175,8 @@ class Stages {
 
     Device& device_;
     const Tuning& tuning_; ///< of device_
-    GrowingTables<Scratch> scratch_{device_, purpose::scratch};
-    Table halo_lists_{device_, purpose::halos};
+    GrowingTables<Scratch> scratch_{device_, table::work_space};
+    Table halo_lists_{device_, table::halo_lists};
 };
 
 } // namespace lineatlas::compute

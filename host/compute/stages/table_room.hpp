@@ -8,8 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "core/limits.hpp"
-#include "lineatlas/compute_device.hpp"
+#include "table_list.hpp"
 
 namespace lineatlas::compute {
 
@@ -36,17 +35,12 @@ std::uint32_t capacity_for(const Device& device, std::uint32_t needed) {
         std::min(room_to_grow(device, needed, sizeof(Element)), most_counted));
 }
 
-/// As Device::allocate; the message of a Shortage says what the memory was for.
-inline std::unique_ptr<Buffer> allocate(Device& device, std::size_t bytes, const Purpose& purpose) {
-    return for_purpose(purpose, [&] { return device.allocate(bytes); });
-}
-
 /// A table on the device alone, made when it is needed, and made anew when more is needed than it
 /// has.
 class Table {
   public:
-    /// Without any room. `device` and `purpose` must outlive it.
-    Table(Device& device, const Purpose& purpose) : device_(&device), purpose_(&purpose) {}
+    /// Without any room. `device` and `name` must outlive it.
+    Table(Device& device, const TableName& name) : device_(&device), name_(&name) {}
 
     /// Makes room for so many bytes; true if the table is new: what stood there is gone.
     bool fit(std::uint64_t bytes) { return make(bytes, bytes); }
@@ -71,28 +65,29 @@ class Table {
     bool make(std::uint64_t needed, std::uint64_t bytes) {
         if (buffer_ && buffer_->size() >= needed) return false;
         buffer_.reset(); // it may not fit beside another
-        buffer_ = allocate(*device_, bytes, *purpose_);
+        buffer_ = allocate(*device_, bytes, *name_);
         return true;
     }
 
     Device* device_;
-    const Purpose* purpose_;
+    const TableName* name_;
     std::unique_ptr<Buffer> buffer_;
 };
-
-/// What several tables take.
-template <class... Tables>
-std::uint64_t bytes_of(const Tables&... tables) {
-    return (tables.bytes() + ... + 0);
-}
 
 /// The tables of a stage, by the names of an enumeration that ends in `count`.
 template <class Name>
 class GrowingTables {
   public:
-    /// As Table has them.
-    GrowingTables(Device& device, const Purpose& purpose)
-        : tables_(make(device, purpose, std::make_index_sequence<index(Name::count)>{})) {}
+    /// `names`: in the order of the enumeration; must outlive them.
+    GrowingTables(Device& device, const TableName (&names)[static_cast<std::size_t>(Name::count)])
+        : tables_(make(
+              device, [&](std::size_t i) -> const TableName& { return names[i]; },
+              std::make_index_sequence<index(Name::count)>{})) {}
+    /// All by one name.
+    GrowingTables(Device& device, const TableName& name)
+        : tables_(make(
+              device, [&](std::size_t) -> const TableName& { return name; },
+              std::make_index_sequence<index(Name::count)>{})) {}
 
     bool fit(Name name, std::uint64_t bytes) { return tables_[index(name)].fit(bytes); }
     bool make_room(Name name, std::uint64_t bytes) { return tables_[index(name)].make_room(bytes); }
@@ -101,18 +96,13 @@ class GrowingTables {
     void release() {
         for (Table& table : tables_) table.release();
     }
-    std::uint64_t bytes() const {
-        std::uint64_t sum = 0;
-        for (const Table& table : tables_) sum += table.bytes();
-        return sum;
-    }
 
   private:
     static constexpr std::size_t index(Name name) { return static_cast<std::size_t>(name); }
-    template <std::size_t... I>
-    static std::array<Table, sizeof...(I)> make(Device& device, const Purpose& purpose,
+    template <class NameOf, std::size_t... I>
+    static std::array<Table, sizeof...(I)> make(Device& device, const NameOf& name,
                                                 std::index_sequence<I...>) {
-        return {(static_cast<void>(I), Table{device, purpose})...};
+        return {Table{device, name(I)}...};
     }
 
     std::array<Table, index(Name::count)> tables_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,13 +17,20 @@
 // class derived from Device and one call of register_device(). docs/backends.md shows one whole.
 namespace lineatlas::compute {
 
+/// The memory of a device that the library keeps under one name.
+struct TableMemory {
+    std::string_view name;    ///< "clipped_segments": docs/architecture.md has the list
+    std::string_view purpose; ///< what messages call it: "the table of line segments"
+    std::uint64_t bytes = 0;  ///< of all buffers of that name
+};
+
 /// Memory that kernels read and write. Made by the device that uses it; may outlive neither the
 /// device nor, if it wraps other memory, that memory.
 class LINEATLAS_API Buffer {
   public:
     /// `size`: in bytes.
     explicit Buffer(std::size_t size) : size_(size) {}
-    virtual ~Buffer() = default;
+    virtual ~Buffer();
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
 
@@ -32,7 +40,9 @@ class LINEATLAS_API Buffer {
 
   private:
     friend class Stages; // counts them
+    friend class TableList;
     std::size_t size_;
+    TableMemory* counted_in_ = nullptr;
     std::uint64_t writes_ = 0;
 };
 
@@ -206,6 +216,14 @@ class LINEATLAS_API Device {
     virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
     /// Ends the log that begin_log() began; what it holds can still be read.
     virtual void end_log() {}
+
+    /// What the library keeps here, in the order in which names came up. Stays until the next
+    /// buffer is made.
+    const std::deque<TableMemory>& tables() const { return tables_; }
+
+  private:
+    friend class TableList;
+    std::deque<TableMemory> tables_; ///< which buffers point into
 };
 
 /// A kind of device that one can choose by its name.

@@ -26,6 +26,9 @@
 namespace lineatlas {
 
 class Assembly;
+namespace compute {
+struct TableMemory; // lineatlas/compute_device.hpp
+}
 
 /// How visibility is computed and strokes are drawn (Table 1).
 enum class Method {
@@ -173,6 +176,10 @@ class LINEATLAS_API Renderer {
 
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
+
+    /// What the tables of all frames so far take on the compute device, in the order in which they
+    /// came up; docs/architecture.md says what each holds.
+    std::vector<compute::TableMemory> tables() const;
 
     /// One line for people where the device is not what they may expect: no OpenCL driver works, or
     /// one did not build a kernel, which may show when a frame first needs that, and the next

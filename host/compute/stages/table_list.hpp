@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+
+#include "lineatlas/compute_device.hpp"
+#include "table_names.hpp"
+
+namespace lineatlas::compute {
+
+/// Counts the memory of a device's tables, by name.
+class TableList {
+  public:
+    /// `buffer`, of `device`, is counted under this name as long as it lives.
+    static void add(Device& device, Buffer& buffer, const TableName& name);
+};
+
+/// As Device::allocate, and counted; the message of a Shortage says what the memory was for.
+std::unique_ptr<Buffer> allocate(Device& device, std::size_t bytes, const TableName& name);
+
+/// What all tables for one of these purposes take.
+std::uint64_t bytes_for(const Device& device, std::initializer_list<const Purpose*> purposes);
+
+} // namespace lineatlas::compute

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/limits.hpp"
+
+namespace lineatlas::compute {
+
+/// What a table is called where memory is listed, and what it is for. docs/architecture.md says
+/// how large each is.
+struct TableName {
+    std::string_view name;
+    const Purpose& purpose;
+};
+
+/// All tables, in the order of a frame.
+namespace table {
+
+using namespace purpose;
+
+// Once per model.
+inline constexpr TableName vertices{"vertices", model}, triangles{"triangles", model},
+    line_segments{"segments", segments}, end_offsets{"end offsets", segments},
+    ends{"ends", segments}, contour_corners{"contour corners", segments},
+    contour_edges{"contour edges", segments},
+    contour_face_corners{"contour face corners", segments},
+    contour_faces{"contour faces", segments}, contour_patches{"contour patches", segments},
+    clusters{"clusters", model}, meshlets{"meshlets", model},
+    meshlet_vertices{"meshlet vertices", model}, meshlet_corners{"meshlet corners", model},
+    triangle_numbers{"triangle numbers", model}, triangle_patches{"triangle patches", model},
+    colors{"colors", fill}, batch_boxes{"batch boxes", segments},
+    segment_pens{"segment pens", strokes}, mark{"mark", pen};
+
+// Of a model that moves.
+inline constexpr TableName cluster_triangles{"cluster triangles", motion},
+    objects{"objects", motion}, cluster_objects{"cluster objects", motion},
+    matrices{"matrices", motion}, jumped{"jumped objects", motion}, turns{"turns", motion},
+    moved_vertices{"moved vertices", motion}, moved_clusters{"moved clusters", motion},
+    turned_corners{"turned corners", motion}, drawn_vertices{"drawn vertices", motion},
+    corner_place_offsets{"corner place offsets", motion}, corner_places{"corner places", motion};
+
+// Per frame.
+inline constexpr TableName depth_texels{"depth", depth}, seen_numbers{"seen numbers", depth},
+    blank_tiles{"blank tiles", depth}, pyramid{"pyramid", depth},
+    visible_clusters{"visible clusters", model}, planes{"planes", model},
+    clipped{"clipped segments", segments}, offsets{"offsets", segments}, arcs{"arcs", segments},
+    batch_states{"batch states", segments}, alpha{"alpha", atlas}, no_alpha{"no alpha", exact},
+    no_offsets{"no offsets", segments}, outline_offsets{"outline offsets", segments},
+    outline_parts{"outline parts", segments}, intervals{"intervals", purpose::intervals},
+    interval_total{"interval total", purpose::intervals}, runs{"runs", strokes},
+    records{"records", strokes}, raw_runs{"raw runs", strokes}, halo_cuts{"halo cuts", halos},
+    halo_lists{"halo lists", halos}, density_weights{"density weights", density},
+    density_grid{"density grid", density}, stroke_ends{"stroke ends", strokes},
+    stroke_entries{"stroke entries", strokes}, coverage{"coverage", strokes},
+    shown_tiles{"shown tiles", strokes}, shaded_colors{"shaded colors", fill},
+    pixels{"pixels", picture};
+
+// What `temporal` keeps of the frame before.
+inline constexpr TableName alpha_before{"alpha before", atlas},
+    offsets_before{"offsets before", segments}, ranges_before{"ranges before", segments},
+    positions_before{"positions before", segments};
+
+// Of stages that keep several, in the order of their own enumerations.
+inline constexpr TableName chain[]{
+    {"chain front", segments},      {"chain numbers", segments}, {"chain positions", segments},
+    {"chain ordered", segments},    {"chain chosen", segments},  {"chain ways", segments},
+    {"chain longer", segments},     {"chain going", segments},   {"chain places", segments},
+    {"chain starts", segments},     {"chain origins", segments}, {"contour vertices", segments},
+    {"contour crossings", segments}};
+inline constexpr TableName carry[]{
+    {"carry memory", segments}, {"carry lengths", segments},  {"carry found", segments},
+    {"carry kept", segments},   {"carry breaks", segments},   {"carry means", segments},
+    {"carry pieces", segments}, {"carry recalled", segments}, {"carry list", segments},
+    {"carry shifts", segments}, {"carried", segments}};
+inline constexpr TableName exact_lists[]{
+    {"exact screen", exact},         {"exact faces", exact},        {"exact planes", exact},
+    {"exact kept", exact},           {"exact span offsets", exact}, {"exact occluders", exact},
+    {"exact ends", exact},           {"exact groups", exact},       {"exact entries", exact},
+    {"exact blocks", exact},         {"exact boxes", exact},        {"exact spans", exact},
+    {"exact numbers", exact},        {"exact seen", exact},         {"exact pushed", exact},
+    {"exact part offsets", exact},   {"exact parts", exact},        {"exact beside kept", exact},
+    {"exact beside offsets", exact}, {"exact beside spans", exact}, {"exact within kept", exact},
+    {"exact within offsets", exact}, {"exact within spans", exact}};
+
+/// Work space of kernels, whatever the stage.
+inline constexpr TableName work_space{"work space", scratch};
+
+} // namespace table
+} // namespace lineatlas::compute
