@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "flags.h"
-#include "groups.hpp"
 
 namespace lineatlas {
 namespace {

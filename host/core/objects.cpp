@@ -10,7 +10,7 @@
 
 #include "check_mesh.hpp"
 #include "constants.h"
-#include "contours.hpp"
+#include "corner_normals.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
 

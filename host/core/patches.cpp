@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/pair_key.hpp"
+#include "pair_key.hpp"
 
 namespace lineatlas {
 namespace {

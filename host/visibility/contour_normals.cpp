@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/contours.hpp"
+#include "core/corner_normals.hpp"
 
 namespace lineatlas {
 

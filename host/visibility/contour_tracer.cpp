@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/vertex_sets.hpp"
+#include "base/vertex_sets.hpp"
 #include "surface/surface_point.hpp"
 
 namespace lineatlas {

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/vertex_sets.hpp"
 #include "compute/transfer.hpp"
 #include "core/model_limits.hpp"
 #include "core/pair_key.hpp"
-#include "core/vertex_sets.hpp"
 
 namespace lineatlas {
 namespace {

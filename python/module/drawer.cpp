@@ -6,7 +6,7 @@
 
 #include "assembling.hpp"
 #include "compute/choose_device.hpp"
-#include "core/contours.hpp"
+#include "core/corner_normals.hpp"
 #include "core/line_pens.hpp"
 #include "images/pixels.hpp"
 #include "io/pen_images.hpp"

@@ -13,7 +13,7 @@
 #include "compute/stages/silhouette_chains.hpp"
 #include "core/clusters.hpp"
 #include "core/contact.hpp"
-#include "core/contours.hpp"
+#include "core/corner_normals.hpp"
 #include "core/meshlets.hpp"
 #include "core/surface_view.hpp"
 #include "depth_model.hpp"

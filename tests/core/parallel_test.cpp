@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/groups.hpp"
+#include "base/groups.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {

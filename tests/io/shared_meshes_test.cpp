@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/edges.hpp"
 #include "lineatlas/io.hpp"
+#include "lines/edges.hpp"
 
 namespace fs = std::filesystem;
 

@@ -114,7 +114,7 @@ TEST_P(DrawnScene, TagsLeadBackToTheMesh) {
         for (const VectorPiece& piece : path.pieces) {
             const LineSource& source = piece.source;
             if (path.kind == LineKind::intersection) {
-                // A vertex this near to a plane counts as in it: contact, in core/intersections.
+                // A vertex this near to a plane counts as in it: contact, in lines/intersections.
                 expect_in_both_triangles(piece, 2.1F * near);
                 continue;
             }

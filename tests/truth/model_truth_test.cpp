@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "core/weld.hpp"
 #include "lineatlas/vector.hpp"
 #include "lineatlas/visibility.hpp"
+#include "lines/weld.hpp"
 #include "truth/fine_mesh.hpp"
 #include "truth/model_truth.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/cracks.hpp"
+#include "lines/cracks.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/diagonal.hpp"
-#include "core/vertex_sets.hpp"
+#include "base/vertex_sets.hpp"
 #include "lineatlas/lines.hpp"
+#include "lines/diagonal.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {

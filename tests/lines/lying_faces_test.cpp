@@ -1,4 +1,4 @@
-#include "core/lying_faces.hpp"
+#include "lines/lying_faces.hpp"
 
 #include <array>
 #include <cstdint>

@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
-#include "groups.hpp"
 
 namespace lineatlas {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/weld.hpp"
+#include "lines/weld.hpp"
 
 #include <algorithm>
 #include <array>

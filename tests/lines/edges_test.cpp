@@ -1,4 +1,4 @@
-#include "core/edges.hpp"
+#include "lines/edges.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,9 +10,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/pair_key.hpp"
 #include "curvature.hpp"
 #include "diagonal.hpp"
-#include "pair_key.hpp"
 #include "place_grid.hpp"
 
 namespace lineatlas {

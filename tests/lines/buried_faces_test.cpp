@@ -1,4 +1,4 @@
-#include "core/buried_faces.hpp"
+#include "lines/buried_faces.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -7,8 +7,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/diagonal.hpp"
-#include "core/triangle_tree.hpp"
+#include "lines/diagonal.hpp"
+#include "lines/triangle_tree.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {

@@ -1,5 +1,5 @@
-#include "core/edges.hpp"
 #include "lineatlas/lines.hpp"
+#include "lines/edges.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/objects.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/mesh.hpp"
-#include "objects.hpp"
 
 namespace lineatlas {
 

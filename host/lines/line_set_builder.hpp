@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "chain.hpp"
+#include "core/chain.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {

@@ -1,4 +1,4 @@
-#include "core/noisy_creases.hpp"
+#include "lines/noisy_creases.hpp"
 
 #include <algorithm>
 #include <cmath>

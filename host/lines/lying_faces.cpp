@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "pair_key.hpp"
+#include "core/pair_key.hpp"
 
 namespace lineatlas {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/vertex_sets.hpp"
 #include "box_tree.hpp"
 #include "diagonal.hpp"
-#include "vertex_sets.hpp"
 
 namespace lineatlas {
 namespace {

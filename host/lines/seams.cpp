@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/spans.hpp"
-#include "contact.hpp"
+#include "core/contact.hpp"
 #include "diagonal.hpp"
 
 namespace lineatlas {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "vertex_sets.hpp"
+#include "base/vertex_sets.hpp"
 
 namespace lineatlas {
 

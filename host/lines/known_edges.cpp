@@ -3,8 +3,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/pair_key.hpp"
 #include "lineatlas/error.hpp"
-#include "pair_key.hpp"
 
 namespace lineatlas {
 namespace {

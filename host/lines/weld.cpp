@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "base/first_seen.hpp"
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
-#include "check_mesh.hpp"
-#include "groups.hpp"
+#include "core/check_mesh.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/parallel.hpp"
+#include "parallel.hpp"
 
 namespace lineatlas {
 

@@ -41,15 +41,4 @@ struct FoundContours {
 /// of its are; of Silhouettes::smooth if it bends at all.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 
-/// What has a corner of contours in common: places in LineSet::triangles, each 3 times the number
-/// of a triangle and 0 to 2. Of corner i those from offsets[i] up to offsets[i + 1].
-struct CornerPlaces {
-    std::vector<std::uint32_t> offsets, places;
-};
-CornerPlaces find_corner_places(const Contours& contours, std::span<const Segment> segments);
-
-/// Normals of contours anew, from the triangles as they stand: those about a corner, by the angles
-/// that they have there.
-void find_normals(LineSet& lines);
-
 } // namespace lineatlas

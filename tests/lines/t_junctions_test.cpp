@@ -1,4 +1,4 @@
-#include "core/t_junctions.hpp"
+#include "lines/t_junctions.hpp"
 
 #include <algorithm>
 #include <cmath>

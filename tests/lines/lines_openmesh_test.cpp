@@ -16,7 +16,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "core/edges.hpp"
+#include "lines/edges.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {

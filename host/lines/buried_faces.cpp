@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "box_tree.hpp"
-#include "contact.hpp"
+#include "core/contact.hpp"
 #include "triangle_tree.hpp"
 
 namespace lineatlas {

@@ -12,8 +12,8 @@
 #include "base/first_seen.hpp"
 #include "base/parallel.hpp"
 #include "base/spans.hpp"
-#include "chain.hpp"
-#include "contact.hpp"
+#include "core/chain.hpp"
+#include "core/contact.hpp"
 
 namespace lineatlas {
 namespace {

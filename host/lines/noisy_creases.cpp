@@ -9,12 +9,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
-#include "chain.hpp"
+#include "base/vertex_sets.hpp"
+#include "core/chain.hpp"
 #include "diagonal.hpp"
-#include "groups.hpp"
 #include "parts.hpp"
-#include "vertex_sets.hpp"
 
 namespace lineatlas {
 namespace {

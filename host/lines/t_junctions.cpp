@@ -8,9 +8,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/groups.hpp"
 #include "cracks.hpp"
 #include "diagonal.hpp"
-#include "groups.hpp"
 
 namespace lineatlas {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/box_tree.hpp"
+#include "lines/box_tree.hpp"
 
 #include <algorithm>
 #include <set>
