@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "models/model_module.hpp"
+#include "io/model_module.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/progress.hpp"
+#include "io/model_module.hpp"
 #include "lineatlas/io.hpp"
 #include "material_files.hpp"
-#include "models/model_module.hpp"
 #include "source_file.hpp"
 
 namespace lineatlas {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/model_module.hpp"
+#include "io/model_module.hpp"
 #include "soup.hpp"
 #include "source_file.hpp"
 

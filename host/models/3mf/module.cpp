@@ -1,6 +1,6 @@
 // The module lineatlas-3mf: 3MF, by lib3mf.
+#include "io/model_module.hpp"
 #include "library.hpp"
-#include "models/model_module.hpp"
 #include "package.hpp"
 #include "scene.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "brep_file.hpp"
 #include "iges.hpp"
-#include "models/model_module.hpp"
+#include "io/model_module.hpp"
 #include "placement.hpp"
 #include "step.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "document.hpp"
-#include "models/model_module.hpp"
+#include "io/model_module.hpp"
 
 namespace lineatlas::gltf {
 

@@ -1,7 +1,7 @@
 // The module lineatlas-gltf: glTF 2.0 and GLB.
 #include "buffers.hpp"
 #include "document.hpp"
-#include "models/model_module.hpp"
+#include "io/model_module.hpp"
 #include "scene.hpp"
 
 namespace {
