@@ -133,6 +133,7 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     const auto say_if_empty = [&] {
         if (const std::string report = output.report(); !report.empty())
             print_error(fmt::format("lineatlas: {}\n", report));
+        if (const std::string note = to.note(); !note.empty()) print_notes({note});
     };
     if (drawing.frames) {
         if (measuring == nullptr) {

@@ -13,6 +13,7 @@
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
 #include "output/sheet_output.hpp"
+#include "output/vector_output.hpp"
 #include "output_places.hpp"
 #include "subject.hpp"
 
@@ -65,6 +66,13 @@ void say_if_empty(const VectorSheet& sheet, const Subject& subject, LineKindMask
     if (!std::ranges::all_of(sheet.drawings, is_empty)) return;
     const Camera& camera = sheet.layout.views.front().camera;
     print_notes({"no line is drawn: " + why_no_line(subject.lines, kinds, camera)});
+}
+
+void say_what_is_thinned(const VectorSheet& sheet) {
+    double most = 0;
+    for (const VectorDrawing& drawing : sheet.drawings)
+        most = std::max(most, drawing.thinned_share);
+    if (const std::string note = note_of_thinned(most); !note.empty()) print_notes({note});
 }
 
 OutputPlaces output_places(const DrawArguments& arguments) {
@@ -130,6 +138,7 @@ void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
         print_notes(idle_rules(line_classes(subject.lines), options.style));
     const VectorSheet drawn = find_views(arguments, sheet, options);
     say_if_empty(drawn, subject, options.lines);
+    say_what_is_thinned(drawn);
     ImageSettings picture = arguments.picture.settings();
     if (picture.dpi == 0) picture.dpi = usual_dpi;
     const SheetWriting writing = writing_of(arguments, app, subject);

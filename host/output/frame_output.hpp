@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "lineatlas/camera.hpp"
 
@@ -19,6 +20,8 @@ class FrameOutput {
     virtual void finish() = 0;
     /// Whether `path` already holds a frame of that size, whole.
     virtual bool is_whole(const std::filesystem::path& path, glm::ivec2 size) = 0;
+    /// A line about what was drawn, for who asked for it; empty: nothing to say.
+    virtual std::string note() const { return {}; }
 };
 
 } // namespace lineatlas

@@ -1,13 +1,25 @@
 #include "vector_output.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "describe_camera.hpp"
 #include "io/atomic_file.hpp"
 
 namespace lineatlas {
+
+std::string note_of_thinned(double share) {
+    constexpr double least = 0.001;
+    if (share < least) return {};
+    return fmt::format("lines are dense: {:.1f} % of their length is not shown, but in layers of "
+                       "its own where the file has layers (crease-thinned); --density 0 and "
+                       "--hidden-density 0 show all",
+                       100 * share);
+}
 
 VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindLines find)
     : frame_(std::move(frame)), lines_(lines), find_(std::move(find)) {}
@@ -19,6 +31,7 @@ bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path)
     options.outlines = seen.outlines;
     const VectorDrawing drawing =
         make_vector_drawing(lines_, camera, seen.intervals, frame_.style, options);
+    thinned_share_ = std::max(thinned_share_, drawing.thinned_share);
     const std::string description =
         frame_.description + " " + describe_camera(camera, frame_.json.origin);
     const std::string certificate = frame_.certify ? frame_.certify(drawing, camera, path) : "";

@@ -25,6 +25,9 @@ struct VectorFrame {
         certify{};
 };
 
+/// Says how much of a drawing is thinned: VectorDrawing::thinned_share. Empty below a thousandth.
+std::string note_of_thinned(double share);
+
 /// Frames as paths, by extension.
 class VectorOutput final : public FrameOutput {
   public:
@@ -34,11 +37,14 @@ class VectorOutput final : public FrameOutput {
     bool draw(const Camera& camera, const std::filesystem::path& path) override;
     void finish() override {}
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override;
+    /// Of the frame of which most is thinned.
+    std::string note() const override { return note_of_thinned(thinned_share_); }
 
   private:
     VectorFrame frame_;
     const LineSet& lines_;
     FindLines find_;
+    double thinned_share_ = 0;
 };
 
 } // namespace lineatlas

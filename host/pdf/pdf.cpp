@@ -167,7 +167,9 @@ pdf::Page page_of(const VectorSheet& sheet, const SheetWriting& writing) {
         const Sheet place =
             in_points(place_of(layout.views[i], layout.size), points_per_millimetre);
         for (const LineGroup& group : line_groups(sheet.drawings[i]))
-            page.strokes.push_back(strokes_of(group, place, {writing.curves, writing.fit_arcs}));
+            if (!group.thinned)
+                page.strokes.push_back(
+                    strokes_of(group, place, {writing.curves, writing.fit_arcs}));
     }
     return page;
 }
@@ -192,7 +194,8 @@ std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {
     if (options.background && drawing.style.paper.color != glm::vec3{1})
         page.background = drawing.style.paper.color;
     for (const LineGroup& group : line_groups(drawing))
-        page.strokes.push_back(strokes_of(group, sheet, {options.curves, options.fit_arcs}));
+        if (!group.thinned)
+            page.strokes.push_back(strokes_of(group, sheet, {options.curves, options.fit_arcs}));
     return written(page);
 }
 

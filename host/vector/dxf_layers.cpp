@@ -92,7 +92,8 @@ void add_layers(DxfLayers& found, std::span<const LineGroup> groups, const Sheet
                                                 : "CONTINUOUS",
                                 .color_index = nearest_index(stroke.color),
                                 .color = whole_color(stroke.color),
-                                .line_weight = nearest_weight(stroke.width)});
+                                .line_weight = nearest_weight(stroke.width),
+                                .shown = !group.thinned});
     }
 }
 

@@ -22,6 +22,7 @@ struct DxfLayer {
     int color_index;      ///< the nearest of AutoCAD's, for programs that know no others
     int color;            ///< 0xRRGGBB
     int line_weight;      ///< hundredths of a millimetre: the nearest of ISO 128's
+    bool shown = true;
 };
 
 struct DxfLayers {

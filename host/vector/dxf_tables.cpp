@@ -64,7 +64,7 @@ void write_linetype(DxfText& text, Handle table, std::string_view name, std::str
 void write_layer(DxfText& text, Handle table, const DxfLayer& layer) {
     begin_record(text, "LAYER", "AcDbLayerTableRecord", table, layer.name);
     text.add(70, 0);
-    text.add(62, layer.color_index);
+    text.add(62, layer.shown ? layer.color_index : -layer.color_index);
     if (layer.color != 0) text.add(420, layer.color); // black is what shows on the background
     text.add(6, layer.linetype);
     text.add(370, layer.line_weight);

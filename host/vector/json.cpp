@@ -82,6 +82,7 @@ Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonO
               {"closed", path.closed},
               {"outline", path.outline},
               {"alpha", rounded(static_cast<double>(path.alpha), 1000)}};
+    if (path.thinned) json["thinned"] = true;
     if ((path.visible ? drawing.pens : drawing.hidden_pens).size() > 1) json["pen"] = path.pen;
     Json points = Json::array();
     Json depths = Json::array();

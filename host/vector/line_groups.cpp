@@ -13,6 +13,7 @@ std::string_view LineGroup::kind_name() const {
 std::string LineGroup::name() const {
     std::string own{kind_name()};
     if (!visible) own += "-hidden";
+    if (thinned) own += "-thinned";
     return number > 1 ? own + "-" + std::to_string(number) : own;
 }
 
@@ -31,17 +32,20 @@ std::vector<LineGroup> line_groups(const VectorDrawing& drawing) {
     for (auto first = drawing.paths.begin(); first != drawing.paths.end();) {
         const auto is_alike = [&](const VectorPath& path) {
             return path.visible == first->visible && path.outline == first->outline &&
-                   path.pen == first->pen && (path.outline || path.kind == first->kind);
+                   path.thinned == first->thinned && path.pen == first->pen &&
+                   (path.outline || path.kind == first->kind);
         };
         const auto last = std::find_if_not(first, drawing.paths.end(), is_alike);
         LineGroup group{.kind = first->kind,
                         .visible = first->visible,
                         .outline = first->outline,
+                        .thinned = first->thinned,
                         .number = 1,
                         .pen = pen_of(drawing, *first),
                         .paths = {first, last}};
         group.number += static_cast<unsigned>(std::ranges::count_if(groups, [&](const auto& own) {
-            return own.visible == group.visible && own.kind_name() == group.kind_name();
+            return own.visible == group.visible && own.thinned == group.thinned &&
+                   own.kind_name() == group.kind_name();
         }));
         groups.push_back(group);
         first = last;

@@ -9,19 +9,20 @@
 
 namespace lineatlas {
 
-/// Paths of one kind or of the outline, with one pen, all visible or all hidden: a layer of the
-/// drawing.
+/// Paths of one kind or of the outline, with one pen, all visible or all hidden, all thinned or
+/// none: a layer of the drawing.
 struct LineGroup {
     LineKind kind; ///< of an outline that of its first path
     bool visible;
     bool outline;
+    bool thinned;    ///< not shown
     unsigned number; ///< among those of its kind that differ in their pens, from 1
     const Pen& pen;  ///< the drawing's
     std::span<const VectorPath> paths;
 
     /// "crease", "outline".
     std::string_view kind_name() const;
-    /// "crease", "crease-hidden", "outline", "crease-2" of another pen.
+    /// "crease", "crease-hidden", "crease-thinned", "outline", "crease-2" of another pen.
     std::string name() const;
 };
 

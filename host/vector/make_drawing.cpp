@@ -16,11 +16,13 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/vector.hpp"
 #include "overlaps.hpp"
+#include "paths.hpp"
 #include "pieces.hpp"
 #include "plotter.hpp"
 #include "simplify.hpp"
 #include "strips.hpp"
 #include "style/settings.hpp"
+#include "thin_out.hpp"
 
 namespace lineatlas {
 namespace {
@@ -33,7 +35,8 @@ void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {
         const int rank = drawn_rank[static_cast<std::size_t>(path.kind)];
         // Outlines lie over all else, and paths of one pen stand together.
-        return std::tuple{path.visible, path.outline, path.outline ? 0 : rank, path.pen};
+        return std::tuple{path.visible, !path.thinned, path.outline, path.outline ? 0 : rank,
+                          path.pen};
     });
 }
 
@@ -55,6 +58,16 @@ void apply_filter(const LineSet& lines, const Camera& camera, const Style& style
     const double crumb = pieces.exact ? 0 : crumb_of_samples;
     for (std::size_t i = 0; i < strips.size(); ++i)
         filter_lengths(strips[i], filter, cuts[i], crumb);
+}
+
+double thinned_share(const std::vector<VectorPath>& paths) {
+    double all = 0, thinned = 0;
+    for (const VectorPath& path : paths) {
+        const double length = length_of(path);
+        all += length;
+        if (path.thinned) thinned += length;
+    }
+    return all > 0 ? thinned / all : 0;
 }
 
 void add_groups(const Mesh& mesh, VectorDrawing& drawing) {
@@ -111,9 +124,14 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     curves.name(drawing.paths);
     const std::vector<std::uint32_t> along = curves.numbers(drawing.paths);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture, along);
+    drawing.paths = thin_out(std::move(drawing.paths), style, picture);
+    drawing.thinned_share = thinned_share(drawing.paths);
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
-    if (options.plotter) drawing.travel = order_for_plotter(drawing.paths);
+    if (options.plotter) {
+        std::erase_if(drawing.paths, &VectorPath::thinned);
+        drawing.travel = order_for_plotter(drawing.paths);
+    }
     curves.find(drawing.paths);
     return drawing;
 }

@@ -54,8 +54,13 @@ pugi::xml_node add_group(pugi::xml_node& parent, const LineGroup& lines, const S
     const std::string name = how.prefix + lines.name();
     pugi::xml_node group = parent.append_child("g");
     set(group, "id", name);
-    set(group, "class", kind + (lines.visible ? " visible" : " hidden"));
-    if (how.layers) mark_layer(group, lines.visible ? name : how.prefix + kind + " (hidden)");
+    set(group, "class",
+        kind + (lines.visible ? " visible" : " hidden") + (lines.thinned ? " thinned" : ""));
+    if (how.layers) {
+        const std::string label = lines.visible ? name : how.prefix + kind + " (hidden)";
+        mark_layer(group, !lines.visible && lines.thinned ? label + " (thinned)" : label);
+    }
+    if (lines.thinned) set(group, "style", "display:none"); // as Inkscape hides a layer
     set_stroke(group, lines.pen, sheet);
     return group;
 }

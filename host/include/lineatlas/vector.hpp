@@ -87,9 +87,11 @@ struct VectorPath {
     bool visible = true;              ///< else it is hidden, all along
     bool closed = false;              ///< the last point is where the first one is
     bool outline = false;             ///< beside the background all along
-    std::uint32_t pen = 0;            ///< index into VectorDrawing::pens, or hidden_pens
-    float alpha = 1;                  ///< mean visibility
-    std::vector<VectorPoint> points;  ///< two at least
+    /// Left out where lines are dense (Style::density): files have it where it is not shown.
+    bool thinned = false;
+    std::uint32_t pen = 0;           ///< index into VectorDrawing::pens, or hidden_pens
+    float alpha = 1;                 ///< mean visibility
+    std::vector<VectorPoint> points; ///< two at least
     /// In order; several of one point where segments in a row lie on one straight line.
     std::vector<VectorPiece> pieces;
     /// In order along the path, none over another. Of a loop none goes over its first point, unless
@@ -115,7 +117,8 @@ struct VectorDrawing {
     std::vector<Pen> hidden_pens{Style{}.hidden_pen};
     std::vector<MeshGroup> groups;     ///< what pieces belong to; empty where none are known
     std::vector<VectorPath> paths;     ///< in the order in which they are drawn
-    std::optional<PenTravel> travel{}; ///< of a drawing for a plotter
+    std::optional<PenTravel> travel{}; ///< of a drawing for a plotter, which has no thinned paths
+    double thinned_share = 0;          ///< of the length of all lines: VectorPath::thinned
 };
 
 /// How intervals become paths.
