@@ -185,3 +185,43 @@ test('memory that ends is an error, and the module lives on', async () => {
   assert.equal(lines.draw(frame(lines)).segmentCount, 9);
   assert.equal(new small.Lines(cube).segmentCount, 12);
 });
+
+test('a worker does the same, with promises', async () => {
+  const { LinesWorker } = await packageOf('worker');
+  const worker = new LinesWorker();
+  try {
+    const shares = [];
+    const lines = await worker.extract({ ...cube, name: 'cube' }, { progress: (done) => shares.push(done) });
+    assert.equal(shares.at(-1), 1);
+    assert.equal(await lines.segmentCount, 12);
+    const camera = await lines.frame({ width: 400, height: 300 });
+    const drawing = await lines.draw(camera);
+    const here = new Lines({ ...cube, name: 'cube' });
+    assert.equal(await drawing.toSVG(), here.draw(camera).toSVG());
+    assert.equal((await drawing.segments()).count, 9);
+    await assert.rejects(worker.extract({ ...cube, indices: [0, 1, 8] }), /index 8/);
+    await drawing.dispose();
+    await assert.rejects(drawing.segments(), /disposed of/);
+  } finally {
+    worker.dispose();
+  }
+});
+
+test('a worker stops what is aborted, running or not begun', async () => {
+  const { LinesWorker } = await packageOf('worker');
+  const worker = new LinesWorker();
+  try {
+    const { positions, indices } = JSON.parse(await fileOf('house.json'));
+    const running = new AbortController(), waiting = new AbortController();
+    const first = worker.extract({ positions, indices }, { signal: running.signal, progress: () => running.abort() });
+    const second = worker.extract(cube, { signal: waiting.signal });
+    const third = worker.extract(cube);
+    waiting.abort();
+    await assert.rejects(second, { name: 'AbortError' });
+    await assert.rejects(first, { name: 'AbortError' });
+    assert.equal(await (await third).segmentCount, 12);
+    await assert.rejects(worker.extract(cube, { signal: AbortSignal.abort() }), { name: 'AbortError' });
+  } finally {
+    worker.dispose();
+  }
+});
