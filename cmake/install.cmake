@@ -35,8 +35,7 @@ add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
     RUNTIME runtime DEVELOPMENT development
     ROOMS base surface core lines sources compute visibility gl interop renderer style vector profile polygon section scenes
     PUBLIC glm::glm
-    PRIVATE PkgConfig::epoxy fmt::fmt pugixml::pugixml
-            tomlplusplus::tomlplusplus TBB::tbb)
+    PRIVATE PkgConfig::epoxy fmt::fmt tomlplusplus::tomlplusplus TBB::tbb)
 target_include_directories(lineatlas_shared INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/host/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernels>)

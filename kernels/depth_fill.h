@@ -114,7 +114,7 @@ INLINED void fill_wide(const Tile* tile, const int at, const int number, const i
 
 /* Corners in the whole picture, on the grid. */
 typedef struct GridTriangle {
-    long x[3], y[3];
+    la_long x[3], y[3];
 } GridTriangle;
 
 /* The edges from the texel at (x, y) of the tile on, as far as they matter in a box of so many more
@@ -123,12 +123,12 @@ static bool edges_in_box(const GridTriangle* t, const int2 first, const int colu
                          Edges* edges) {
     for (int k = 0; k < 3; ++k) {
         const int next = k == 2 ? 0 : k + 1;
-        const long way_x = t->x[next] - t->x[k], way_y = t->y[next] - t->y[k];
+        const la_long way_x = t->x[next] - t->x[k], way_y = t->y[next] - t->y[k];
         const bool is_own = way_y < 0 || (way_y == 0 && way_x < 0);
-        const long above =
-            way_x * ((long)first.y * GRID - t->y[k]) - way_y * ((long)first.x * GRID - t->x[k]);
-        const long c = (above - (is_own ? 0 : 1)) >> GRID_BITS;
-        const long across = -way_y * (long)columns, up = way_x * (long)rows, none = 0;
+        const la_long above = way_x * ((la_long)first.y * GRID - t->y[k]) -
+                              way_y * ((la_long)first.x * GRID - t->x[k]);
+        const la_long c = (above - (is_own ? 0 : 1)) >> GRID_BITS;
+        const la_long across = -way_y * (la_long)columns, up = way_x * (la_long)rows, none = 0;
         if (c + max(across, none) + max(up, none) < 0) return false;
         const bool all = c + min(across, none) + min(up, none) >= 0;
         edges->a[k] = all ? 0 : (int)-way_y;
@@ -149,14 +149,14 @@ static float cross_of(const float* a, const float* b) {
 INLINED void fill_large(Tile* tile, const int number, const float3 a, const float3 b,
                         const float3 c) {
     const float3 given[3] = {a, b, c};
-    const long low_x = (long)tile->low.x * GRID, low_y = (long)tile->low.y * GRID;
-    long grid_x[3], grid_y[3];
+    const la_long low_x = (la_long)tile->low.x * GRID, low_y = (la_long)tile->low.y * GRID;
+    la_long grid_x[3], grid_y[3];
     for (int k = 0; k < 3; ++k) {
-        grid_x[k] = (long)convert_int_rte(given[k].x * (float)GRID) - low_x;
-        grid_y[k] = (long)convert_int_rte(given[k].y * (float)GRID) - low_y;
+        grid_x[k] = (la_long)convert_int_rte(given[k].x * (float)GRID) - low_x;
+        grid_y[k] = (la_long)convert_int_rte(given[k].y * (float)GRID) - low_y;
     }
-    const long doubled = (grid_x[1] - grid_x[0]) * (grid_y[2] - grid_y[0]) -
-                         (grid_x[2] - grid_x[0]) * (grid_y[1] - grid_y[0]);
+    const la_long doubled = (grid_x[1] - grid_x[0]) * (grid_y[2] - grid_y[0]) -
+                            (grid_x[2] - grid_x[0]) * (grid_y[1] - grid_y[0]);
     if (doubled == 0) return;
     const bool turned = doubled < 0;
     GridTriangle t;
@@ -169,8 +169,8 @@ INLINED void fill_large(Tile* tile, const int number, const float3 a, const floa
         y[k] = given[from].y;
         z[k] = given[from].z;
     }
-    const long none = 0, up = GRID - 1;
-    const long right = tile->size.x - 1, top = tile->size.y - 1;
+    const la_long none = 0, up = GRID - 1;
+    const la_long right = tile->size.x - 1, top = tile->size.y - 1;
     const int first_x = (int)max((min(t.x[0], min(t.x[1], t.x[2])) + up) >> GRID_BITS, none);
     const int first_y = (int)max((min(t.y[0], min(t.y[1], t.y[2])) + up) >> GRID_BITS, none);
     const int last_x = (int)min(max(t.x[0], max(t.x[1], t.x[2])) >> GRID_BITS, right);

@@ -10,6 +10,7 @@
 
 typedef uint la_uint;
 typedef int la_int;
+typedef long la_long; /* of 64 bits, which C++'s need not be */
 
 /* Vectors in parameters: 4-byte members only, which every compiler lays out alike. They are read
  * whole: rusticl 22.3 cannot index a parameter by what is not constant. */

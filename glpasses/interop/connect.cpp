@@ -7,6 +7,7 @@
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/build_error.hpp"
+#include "compute/opencl/choose_opencl.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "compute/opencl/quirks.hpp"
 #include "core/memory_limit.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #ifdef LINEATLAS_TBB
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #endif
@@ -51,6 +52,16 @@ void for_each_piece(std::size_t count, std::size_t piece,
     }
 #endif
     for (std::size_t first = 0; first < count; first += piece) do_piece(first);
+}
+
+void for_each_range(std::size_t count, [[maybe_unused]] std::size_t least,
+                    const std::function<void(std::size_t, std::size_t)>& work) {
+#ifdef LINEATLAS_TBB
+    tbb::parallel_for(tbb::blocked_range<std::size_t>{0, count, least},
+                      [&](const auto& range) { work(range.begin(), range.end()); });
+#else
+    if (count > 0) work(0, count);
+#endif
 }
 
 void do_both(const std::function<void()>& one, const std::function<void()>& other) {

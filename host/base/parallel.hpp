@@ -19,6 +19,13 @@ namespace lineatlas {
 void for_each_piece(std::size_t count, std::size_t piece,
                     const std::function<void(std::size_t first, std::size_t end)>& work);
 
+/// Calls work(first, end) for ranges that make up [0, count), as for_each_piece() does, but for
+/// work that is cheaper the longer a range is: of at least `least` / 2 elements, as long as the
+/// cores have enough of them, and where they end is not always the same. Nothing is asked between
+/// them.
+void for_each_range(std::size_t count, std::size_t least,
+                    const std::function<void(std::size_t first, std::size_t end)>& work);
+
 /// While it lives, for_each_piece() of this thread calls `ask` now and then, between two pieces.
 /// What it throws comes out there. One at a time.
 class BetweenPieces {

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/device_options.hpp"
-#include "opencl/devices.hpp"
 
 namespace lineatlas::compute {
+
+struct OpenClDevice;
 
 /// What is to run the kernels, as options and the environment have it.
 struct WantedDevice {
@@ -23,11 +22,6 @@ struct WantedDevice {
 void check_device_kind(std::string_view name);
 /// Where `device` is empty, the variable LINEATLAS_DEVICE counts.
 WantedDevice wanted_device(const std::string& kind, const std::string& device);
-/// OpenCL devices that may be taken for it. Empty if no driver works, and none was named; throws as
-/// find_opencl_devices().
-std::vector<OpenClDevice> opencl_devices(const WantedDevice& wanted);
-/// What the user is told where kernels run as C++ for want of a driver.
-std::string note_of_cpp();
 /// The device, with another beside it to which it is compared (DeviceOptions::compare_with), if
 /// that is wanted.
 std::unique_ptr<Device> with_comparison(std::unique_ptr<Device> device, const std::string& other,
@@ -36,7 +30,7 @@ std::unique_ptr<Device> with_comparison(std::unique_ptr<Device> device, const st
 /// A device that was found but is not made yet: that may take a while.
 struct FoundDevice {
     WantedDevice wanted;
-    std::optional<OpenClDevice> opencl{};
+    std::shared_ptr<const OpenClDevice> opencl{}; ///< or one of another kind
 };
 /// The device to take that shares nothing with GL: C++ on all cores where none is named. Throws
 /// UsageError and DeviceError as a LineVisibility.

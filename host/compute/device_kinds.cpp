@@ -3,24 +3,24 @@
 #include "choose_device.hpp"
 #include "cpp/cpp_device.hpp"
 #include "lineatlas/error.hpp"
-#include "opencl/opencl_backend.hpp"
+#include "opencl/choose_opencl.hpp"
 
 namespace lineatlas::compute {
 namespace {
-
-std::unique_ptr<Device> make_opencl(std::string_view device) {
-    return make_opencl_backend(find_opencl_devices(device.empty() ? "opencl" : device).front());
-}
 
 std::unique_ptr<Device> make_cpp(std::string_view) {
     return make_cpp_device();
 }
 
+std::vector<DeviceKind> own_kinds() {
+    std::vector<DeviceKind> kinds;
+    if (std::optional<DeviceKind> opencl = opencl_kind()) kinds.push_back(*std::move(opencl));
+    kinds.push_back({"cpp", "kernels as C++ on all cores", make_cpp});
+    return kinds;
+}
+
 std::vector<DeviceKind>& table() {
-    static std::vector<DeviceKind> kinds{
-        {"opencl", "kernels on an OpenCL device", make_opencl},
-        {"cpp", "kernels as C++ on all cores", make_cpp},
-    };
+    static std::vector<DeviceKind> kinds = own_kinds();
     return kinds;
 }
 

@@ -7,7 +7,6 @@
 #include "cpp/host_kernels.hpp"
 #include "kernel_bytes.hpp"
 #include "lineatlas/error.hpp"
-#include "sources/sources.hpp"
 
 namespace lineatlas::compute {
 namespace {
@@ -78,10 +77,6 @@ std::vector<std::string_view> stage_names() {
 
 const Kernel& first_variant(std::string_view name) {
     return *std::ranges::find(all_kernels(), name, &Kernel::name);
-}
-
-std::string source_of(const Kernel& kernel) {
-    return line_directive(1, kernel.file()) + kernel_source(kernel.file());
 }
 
 void run_on_host(const Kernel& kernel, std::span<const std::byte> parameters,

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <iterator>
-#include <locale>
-#include <sstream>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -73,6 +72,14 @@ struct Slices {
     }
 };
 
+std::string three_digits(float value) {
+    std::array<char, 32> text{};
+    char* const begin = text.data();
+    const auto end =
+        std::to_chars(begin, begin + text.size(), value, std::chars_format::general, 3).ptr;
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
 } // namespace
 
 std::optional<FarPart> find_far_part(const LineSet& lines) {
@@ -135,16 +142,12 @@ std::vector<glm::vec3> points_to_frame(const LineSet& lines, const std::optional
 }
 
 std::string note_of(const FarPart& far) {
-    std::ostringstream note;
-    note.imbue(std::locale::classic());
-    note.precision(3);
-    note << far.count << " of " << far.total << " triangles and lines lie far from all others";
-    if (is_left_out(far))
-        note << "; they are not framed, which would make the picture " << far.ratio
-             << " times as wide";
-    else
-        note << ", and the picture is " << far.ratio << " times as wide for their sake";
-    return note.str();
+    const std::string counts = std::to_string(far.count) + " of " + std::to_string(far.total) +
+                               " triangles and lines lie far from all others";
+    const std::string times = three_digits(far.ratio) + " times as wide";
+    return counts + (is_left_out(far)
+                         ? "; they are not framed, which would make the picture " + times
+                         : ", and the picture is " + times + " for their sake");
 }
 
 Framing framing_of(const LineSet& lines) {

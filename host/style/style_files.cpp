@@ -343,13 +343,8 @@ Style default_style() {
     return StyleLoader{}.load_embedded("plain");
 }
 
-void apply_setting(Style& style, std::string_view key_is_value) {
-    const std::size_t equals = key_is_value.find('=');
-    if (equals == std::string_view::npos) {
-        throw UsageError(fmt::format("\"{}\" is no setting; write it as key=value", key_is_value));
-    }
-    const Setting& setting = find_setting(key_is_value.substr(0, equals));
-    set_value(style, setting, value_from_text(key_is_value.substr(equals + 1)), setting.key);
+std::string settings_table() {
+    return markdown_table(settings(), default_style());
 }
 
 std::string write_style(const Style& style, std::string_view description) {

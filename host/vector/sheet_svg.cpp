@@ -1,7 +1,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <pugixml.hpp>
 
 #include "path_data.hpp"
 #include "sheet_writing.hpp"
@@ -26,47 +25,47 @@ std::string point(glm::dvec2 at) {
     return number(at.x) + " " + number(at.y);
 }
 
-void add_line(pugi::xml_node& group, const SheetLine& line) {
-    pugi::xml_node path = group.append_child("path");
+void add_line(XmlElement& group, const SheetLine& line) {
+    XmlElement& path = group.add("path");
     const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
     const std::size_t count = line.points.size() - (closed ? 1 : 0);
     std::string data;
     for (std::size_t i = 0; i < count; ++i)
         data.append(i == 0 ? "M" : "L").append(point(line.points[i]));
-    set(path, "d", data + (closed ? "z" : ""));
-    set(path, "stroke-width", number(line.width));
+    path.set("d", data + (closed ? "z" : ""));
+    path.set("stroke-width", number(line.width));
 }
 
-void add_circle(pugi::xml_node& group, const SheetCircle& circle) {
-    pugi::xml_node node = group.append_child("circle");
-    set(node, "cx", number(circle.center.x));
-    set(node, "cy", number(circle.center.y));
-    set(node, "r", number(circle.radius));
-    set(node, "stroke-width", number(circle.width));
+void add_circle(XmlElement& group, const SheetCircle& circle) {
+    XmlElement& node = group.add("circle");
+    node.set("cx", number(circle.center.x));
+    node.set("cy", number(circle.center.y));
+    node.set("r", number(circle.radius));
+    node.set("stroke-width", number(circle.width));
 }
 
-void add_words(pugi::xml_node& group, const SheetText& text, const std::string& color) {
+void add_words(XmlElement& group, const SheetText& text, const std::string& color) {
     add_text(group, "text", text.text);
-    pugi::xml_node node = group.last_child();
-    set(node, "x", number(text.at.x));
-    set(node, "y", number(text.at.y));
-    if (text.upward) set(node, "transform", "rotate(-90 " + point(text.at) + ")");
-    set(node, "font-size", number(text.height / capital_height));
+    XmlElement& node = group.last_child();
+    node.set("x", number(text.at.x));
+    node.set("y", number(text.at.y));
+    if (text.upward) node.set("transform", "rotate(-90 " + point(text.at) + ")");
+    node.set("font-size", number(text.height / capital_height));
     if (text.anchor != TextAnchor::start)
-        set(node, "text-anchor", anchor_names[static_cast<std::size_t>(text.anchor)]);
-    set(node, "stroke", "none");
-    set(node, "fill", color);
+        node.set("text-anchor", anchor_names[static_cast<std::size_t>(text.anchor)]);
+    node.set("stroke", "none");
+    node.set("fill", color);
 }
 
 /// What the sheet has of its own in one layer.
-void add_own(pugi::xml_node& svg, const SheetLayout& layout, const std::string& layer,
+void add_own(XmlElement& svg, const SheetLayout& layout, const std::string& layer,
              const std::string& color, bool layers) {
-    pugi::xml_node group = svg.append_child("g");
-    set(group, "id", layer);
+    XmlElement& group = svg.add("g");
+    group.set("id", layer);
     if (layers) mark_layer(group, layer);
-    set(group, "fill", "none");
-    set(group, "stroke", color);
-    set(group, "font-family", "sans-serif");
+    group.set("fill", "none");
+    group.set("stroke", color);
+    group.set("font-family", "sans-serif");
     for (const SheetLine& line : layout.lines)
         if (line.layer == layer) add_line(group, line);
     for (const SheetCircle& circle : layout.circles)
@@ -75,12 +74,12 @@ void add_own(pugi::xml_node& svg, const SheetLayout& layout, const std::string& 
         if (text.layer == layer) add_words(group, text, color);
 }
 
-void add_view(pugi::xml_node& svg, const SheetView& view, const VectorDrawing& drawing,
-              glm::dvec2 page, const SheetWriting& writing) {
-    pugi::xml_node group = svg.append_child("g");
+void add_view(XmlElement& svg, const SheetView& view, const VectorDrawing& drawing, glm::dvec2 page,
+              const SheetWriting& writing) {
+    XmlElement& group = svg.add("g");
     const std::string name = name_in_file(view);
-    set(group, "id", name);
-    set(group, "class", "view");
+    group.set("id", name);
+    group.set("class", "view");
     if (writing.layers) mark_layer(group, name);
     write_paths(group, drawing, place_of(view, page),
                 {.tags = writing.tags && !drawing.travel,
@@ -95,8 +94,7 @@ void add_view(pugi::xml_node& svg, const SheetView& view, const VectorDrawing& d
 std::string to_svg(const VectorSheet& sheet, const SheetWriting& writing) {
     check_sheet(sheet);
     const SheetLayout& layout = sheet.layout;
-    pugi::xml_document document;
-    pugi::xml_node svg = add_svg(document, layout.size, {"mm", digits, writing.layers});
+    XmlElement svg = svg_root(layout.size, {"mm", digits, writing.layers});
     add_text(svg, "title", layout.title);
     add_text(svg, "desc", writing.description);
     if (writing.background) add_background(svg, style_of(sheet), layout.size, digits);
@@ -105,7 +103,7 @@ std::string to_svg(const VectorSheet& sheet, const SheetWriting& writing) {
         add_own(svg, layout, layer, color, writing.layers);
     for (std::size_t i = 0; i < layout.views.size(); ++i)
         add_view(svg, layout.views[i], sheet.drawings[i], layout.size, writing);
-    return svg_text(document);
+    return xml_document(svg);
 }
 
 } // namespace lineatlas

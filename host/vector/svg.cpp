@@ -2,7 +2,6 @@
 #include <string>
 
 #include <fmt/core.h>
-#include <pugixml.hpp>
 
 #include "check_drawing.hpp"
 #include "lineatlas/vector.hpp"
@@ -32,9 +31,8 @@ std::string description_of(const VectorDrawing& drawing, const SvgOptions& optio
 std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
     check_drawing(drawing);
     const Sheet sheet = lay_out(drawing.size, options);
-    pugi::xml_document document;
     const std::string unit = unit_names[static_cast<std::size_t>(options.units)];
-    pugi::xml_node svg = add_svg(document, sheet.size, {unit, sheet.digits, options.layers});
+    XmlElement svg = svg_root(sheet.size, {unit, sheet.digits, options.layers});
     add_text(svg, "title", options.title);
     add_text(svg, "desc", description_of(drawing, options));
     if (!options.certificate.empty()) add_text(svg, "metadata", options.certificate);
@@ -44,7 +42,7 @@ std::string to_svg(const VectorDrawing& drawing, const SvgOptions& options) {
                  .layers = options.layers,
                  .relative = options.relative,
                  .arcs = {options.curves, options.fit_arcs}});
-    return svg_text(document);
+    return xml_document(svg);
 }
 
 } // namespace lineatlas

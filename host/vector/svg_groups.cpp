@@ -28,39 +28,39 @@ const char* join_text(Join join) {
     return "miter";
 }
 
-void set_stroke(pugi::xml_node& group, const Pen& pen, const Sheet& sheet) {
+void set_stroke(XmlElement& group, const Pen& pen, const Sheet& sheet) {
     const PenStroke stroke = pen_stroke(pen, sheet);
     const auto length = [&](double units) { return number_text(units, sheet.digits + 1); };
-    set(group, "fill", "none");
-    set(group, "stroke", color_text(stroke.color));
-    set(group, "stroke-width", length(stroke.width));
+    group.set("fill", "none");
+    group.set("stroke", color_text(stroke.color));
+    group.set("stroke-width", length(stroke.width));
     if (stroke.opacity < 1) {
-        set(group, "stroke-opacity", number_text(stroke.opacity, opacity_digits));
+        group.set("stroke-opacity", number_text(stroke.opacity, opacity_digits));
     }
-    set(group, "stroke-linejoin", join_text(stroke.join));
+    group.set("stroke-linejoin", join_text(stroke.join));
     if (stroke.join == Join::mitre) {
-        set(group, "stroke-miterlimit", number_text(stroke.mitre_limit, opacity_digits));
+        group.set("stroke-miterlimit", number_text(stroke.mitre_limit, opacity_digits));
     }
-    set(group, "stroke-linecap", stroke.round ? "round" : "butt");
+    group.set("stroke-linecap", stroke.round ? "round" : "butt");
     if (stroke.dashes) {
-        set(group, "stroke-dasharray",
-            length(stroke.dashes->dash) + " " + length(stroke.dashes->gap));
+        group.set("stroke-dasharray",
+                  length(stroke.dashes->dash) + " " + length(stroke.dashes->gap));
     }
 }
 
-pugi::xml_node add_group(pugi::xml_node& parent, const LineGroup& lines, const Sheet& sheet,
-                         const SvgPaths& how) {
+XmlElement& add_group(XmlElement& parent, const LineGroup& lines, const Sheet& sheet,
+                      const SvgPaths& how) {
     const std::string kind{lines.kind_name()};
     const std::string name = how.prefix + lines.name();
-    pugi::xml_node group = parent.append_child("g");
-    set(group, "id", name);
-    set(group, "class",
-        kind + (lines.visible ? " visible" : " hidden") + (lines.thinned ? " thinned" : ""));
+    XmlElement& group = parent.add("g");
+    group.set("id", name);
+    group.set("class",
+              kind + (lines.visible ? " visible" : " hidden") + (lines.thinned ? " thinned" : ""));
     if (how.layers) {
         const std::string label = lines.visible ? name : how.prefix + kind + " (hidden)";
         mark_layer(group, !lines.visible && lines.thinned ? label + " (thinned)" : label);
     }
-    if (lines.thinned) set(group, "style", "display:none"); // as Inkscape hides a layer
+    if (lines.thinned) group.set("style", "display:none"); // as Inkscape hides a layer
     set_stroke(group, lines.pen, sheet);
     return group;
 }
@@ -74,16 +74,16 @@ std::string color_text(glm::vec3 color) {
     return fmt::format("#{:02x}{:02x}{:02x}", channel(color.x), channel(color.y), channel(color.z));
 }
 
-void write_paths(pugi::xml_node& parent, const VectorDrawing& drawing, const Sheet& sheet,
+void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& sheet,
                  const SvgPaths& how) {
     for (const LineGroup& group : line_groups(drawing)) {
-        pugi::xml_node node = add_group(parent, group, sheet, how);
+        XmlElement& node = add_group(parent, group, sheet, how);
         for (const VectorPath& path : group.paths) {
             const std::string data =
                 path_data(outline_of(path, sheet, how.arcs), sheet.digits, how.relative);
             if (data.empty()) continue;
-            pugi::xml_node element = node.append_child("path");
-            set(element, "d", data);
+            XmlElement& element = node.add("path");
+            element.set("d", data);
             if (how.tags) add_text(element, "desc", tags_text(drawing, path));
         }
     }

@@ -2,11 +2,10 @@
 
 #include <string>
 
-#include <pugixml.hpp>
-
 #include "lineatlas/vector.hpp"
 #include "outline.hpp"
 #include "sheet.hpp"
+#include "xml.hpp"
 
 namespace lineatlas {
 
@@ -20,7 +19,7 @@ struct SvgPaths {
 };
 
 /// Adds a group for the paths of each pen, and the paths.
-void write_paths(pugi::xml_node& parent, const VectorDrawing& drawing, const Sheet& sheet,
+void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& sheet,
                  const SvgPaths& how);
 
 /// "#rrggbb".

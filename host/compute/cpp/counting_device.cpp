@@ -6,8 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
+#include "base/parallel.hpp"
 #include "compute/kernel_bytes.hpp"
 #include "core/host_clock.hpp"
 #include "counted_float.hpp"
@@ -110,12 +109,13 @@ double measure_arithmetic() {
     do {
         std::atomic<std::uint64_t> operations = 0;
         const std::int64_t start = host_nanoseconds();
-        tbb::parallel_for(0U, 4 * std::thread::hardware_concurrency(), [&](unsigned piece) {
+        const auto compute_piece = [&](std::size_t piece) {
             float result = static_cast<float>(piece);
             operations += compute::multiply_and_add(rounds, result);
             volatile float seen = result; // it must be computed
             static_cast<void>(seen);
-        });
+        };
+        for_each_index(4 * std::thread::hardware_concurrency(), compute_piece, 1);
         const auto taken = static_cast<double>(host_nanoseconds() - start);
         best = std::max(best, static_cast<double>(operations) / taken);
     } while (host_nanoseconds() < end);

@@ -5,12 +5,11 @@
 #include <cstring>
 #include <new>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
 #endif
 
+#include "base/parallel.hpp"
 #include "compute/kernel_bytes.hpp"
 #include "core/host_clock.hpp"
 #include "core/limits.hpp"
@@ -110,14 +109,13 @@ class CppDevice final : public Device {
         std::ranges::transform(launch.tables, tables.begin(),
                                [](const Buffer* buffer) { return memory_of(*buffer); });
         char begun = 0, ended = 0; // two: by one place pieces would seem to follow each other
-        const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
+        const auto run = [&](std::size_t first, std::size_t end) {
             acquire(begun);
-            run_on_host(launch.kernel, launch.parameters, tables, range.begin(), range.end(),
-                        launch.items);
+            run_on_host(launch.kernel, launch.parameters, tables, first, end, launch.items);
             release(ended);
         };
         release(begun);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>{0, launch.items, launch.group}, run);
+        for_each_range(launch.items, launch.group, run);
         acquire(ended);
     }
 

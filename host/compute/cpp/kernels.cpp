@@ -112,22 +112,39 @@ struct Form<kernel> {
     }
 };
 
-#define FORM(stage, name, Parameters) {#name, "", Form<in_##stage::name>::run},
+#ifdef LINEATLAS_LEAN
+/// Whether LineVisibility launches kernels of a stage: a lean build has no others.
+constexpr bool is_built(const char* stage) {
+    constexpr const char* others[] = {"atlas",  "carry",   "compact", "cull",    "density",
+                                      "depth",  "fill",    "filter",  "halo",    "pens",
+                                      "planes", "pyramid", "strokes", "temporal"};
+    for (const char* other : others)
+        if (__builtin_strcmp(other, stage) == 0) return false;
+    return true;
+}
+#else
+constexpr bool is_built(const char*) {
+    return true;
+}
+#endif
+#define RUN(stage, kernel)                                                                         \
+    (is_built(#stage) ? static_cast<HostFunction>(Form<kernel>::run) : nullptr)
+#define FORM(stage, name, Parameters) {#name, "", RUN(stage, in_##stage::name)},
 #define SUM_FORMS(stage, name, Parameters)                                                         \
     {#name, "-DSCAN_SATURATE=0", Form<in_scan_0::name>::run},                                      \
         {#name, "-DSCAN_SATURATE=1", Form<in_scan_1::name>::run},
 #define PROBE_FORMS(stage, name, Parameters)                                                       \
-    {#name, "-DPROBES_PER_AXIS=1", Form<in_atlas_1::name>::run},                                   \
-        {#name, "-DPROBES_PER_AXIS=2", Form<in_atlas_2::name>::run},                               \
-        {#name, "-DPROBES_PER_AXIS=3", Form<in_atlas_3::name>::run},                               \
-        {#name, "-DPROBES_PER_AXIS=4", Form<in_atlas_4::name>::run},                               \
-        {#name, "-DPROBES_PER_AXIS=1 -DTILED", Form<in_tiled_atlas_1::name>::run},                 \
-        {#name, "-DPROBES_PER_AXIS=2 -DTILED", Form<in_tiled_atlas_2::name>::run},                 \
-        {#name, "-DPROBES_PER_AXIS=3 -DTILED", Form<in_tiled_atlas_3::name>::run},                 \
-        {#name, "-DPROBES_PER_AXIS=4 -DTILED", Form<in_tiled_atlas_4::name>::run},
+    {#name, "-DPROBES_PER_AXIS=1", RUN(stage, in_atlas_1::name)},                                  \
+        {#name, "-DPROBES_PER_AXIS=2", RUN(stage, in_atlas_2::name)},                              \
+        {#name, "-DPROBES_PER_AXIS=3", RUN(stage, in_atlas_3::name)},                              \
+        {#name, "-DPROBES_PER_AXIS=4", RUN(stage, in_atlas_4::name)},                              \
+        {#name, "-DPROBES_PER_AXIS=1 -DTILED", RUN(stage, in_tiled_atlas_1::name)},                \
+        {#name, "-DPROBES_PER_AXIS=2 -DTILED", RUN(stage, in_tiled_atlas_2::name)},                \
+        {#name, "-DPROBES_PER_AXIS=3 -DTILED", RUN(stage, in_tiled_atlas_3::name)},                \
+        {#name, "-DPROBES_PER_AXIS=4 -DTILED", RUN(stage, in_tiled_atlas_4::name)},
 #define NUMBER_FORMS(stage, name, Parameters)                                                      \
-    {#name, "", Form<in_##stage::name>::run},                                                      \
-        {#name, "-DNUMBERED", Form<in_numbered_##stage::name>::run},
+    {#name, "", RUN(stage, in_##stage::name)},                                                     \
+        {#name, "-DNUMBERED", RUN(stage, in_numbered_##stage::name)},
 #define NO_FORM(stage, name, Parameters) // needs barriers
 
 constexpr HostKernel forms[] = {LA_KERNELS(FORM, SUM_FORMS, NO_FORM, NUMBER_FORMS, PROBE_FORMS)};

@@ -4,6 +4,7 @@
 
 using uint = unsigned int;
 using uchar = unsigned char;
+using la_long = long long;
 using ulong = unsigned long long;
 using size_t = decltype(sizeof(0));
 // What builtin functions take of a float that counts (counted_float.hpp).
@@ -238,10 +239,10 @@ inline uchar max(uchar a, uchar b) {
 inline ulong min(ulong a, ulong b) {
     return b < a ? b : a;
 }
-inline long min(long a, long b) {
+inline la_long min(la_long a, la_long b) {
     return b < a ? b : a;
 }
-inline long max(long a, long b) {
+inline la_long max(la_long a, la_long b) {
     return a < b ? b : a;
 }
 inline int clamp(int v, int low, int high) {

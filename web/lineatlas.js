@@ -1,0 +1,400 @@
+// The lines of 3D models that one sees: what lineatlas.d.ts describes.
+
+// SIMD, and exceptions as browsers have had them the longest, in the smallest module that uses both.
+const probe = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 16, 1, 14, 0, 6, 123, 65, 0, 253, 15, 25, 65, 1, 253, 15, 11, 11]);
+
+export const supported = typeof WebAssembly === 'object' && WebAssembly.validate(probe);
+
+export const kinds = Object.freeze([
+  'crease', 'boundary', 'material', 'silhouette', 'file', 'intersection', 'section', 'hatching', 'ridge', 'valley',
+]);
+export const none = 0xffffffff;
+
+const encoder = new TextEncoder(), decoder = new TextDecoder();
+
+let wasm = null; // the exports of the module
+let told = null; // what the call that runs tells its progress to,
+let thrown = null; // and what that threw
+
+// Addresses of the upper half of memory come as negative numbers.
+const at = (Type, address, count) => new Type(wasm.memory.buffer, address >>> 0, count);
+const bytesAt = (address, size) => at(Uint8Array, address, size);
+const floatsAt = (address, count) => at(Float32Array, address, count);
+const messageOf = () => decoder.decode(bytesAt(wasm.la_message(), wasm.la_message_size()));
+
+// What C++ asks of a system: the time, and where to write what it dies of.
+const system = {
+  clock_time_get(id, precision, to) {
+    const now = BigInt(Math.round(performance.now() * 1e6));
+    new DataView(wasm.memory.buffer).setBigUint64(to, now, true);
+    return 0;
+  },
+  fd_write(file, pieces, count, to) {
+    const memory = new DataView(wasm.memory.buffer);
+    let size = 0, text = '';
+    for (let i = 0; i < count; ++i) {
+      const length = memory.getUint32(pieces + 8 * i + 4, true);
+      text += decoder.decode(bytesAt(memory.getUint32(pieces + 8 * i, true), length));
+      size += length;
+    }
+    console.error(text);
+    memory.setUint32(to, size, true);
+    return 0;
+  },
+  environ_sizes_get(count, size) {
+    const memory = new DataView(wasm.memory.buffer);
+    memory.setUint32(count, 0, true);
+    memory.setUint32(size, 0, true);
+    return 0;
+  },
+  environ_get: () => 0,
+  proc_exit(code) { throw new Error(`lineatlas: the module ended itself with ${code}`); },
+};
+const unknown = () => 52; // ENOSYS
+
+function tell(done) {
+  try {
+    return told === null || told(done) !== false ? 1 : 0;
+  } catch (error) {
+    thrown = { error };
+    return 0;
+  }
+}
+
+function importsOf(module) {
+  const imports = { lineatlas: { progress: tell } };
+  for (const { module: from, name } of WebAssembly.Module.imports(module))
+    if (from !== 'lineatlas') (imports[from] ??= {})[name] = system[name] ?? unknown;
+  return imports;
+}
+
+async function compile(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
+  const url = new URL(source, import.meta.url);
+  if (url.protocol === 'file:' && typeof process === 'object') {
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`lineatlas: cannot load ${url.href}: ${response.status} ${response.statusText}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+let ready = null;
+
+async function start(source) {
+  if (!supported) throw new Error('lineatlas: this browser has no SIMD or no exceptions in WebAssembly; update it');
+  const module = await compile(source ?? new URL('./lineatlas.wasm', import.meta.url));
+  wasm = (await WebAssembly.instantiate(module, importsOf(module))).exports;
+  wasm._initialize();
+  broken = null;
+}
+
+export function init(source) {
+  ready ??= start(source).catch((error) => {
+    ready = null;
+    throw error;
+  });
+  return ready;
+}
+
+let broken = null; // why the module can no longer be used
+
+/// Calls into the module. What C++ did not see coming leaves it in an unknown state.
+function call(name, ...args) {
+  if (wasm === null) throw new Error('lineatlas: call init() and wait for it first');
+  if (broken !== null) throw broken;
+  try {
+    return wasm[name](...args);
+  } catch (error) {
+    broken = new Error(`lineatlas: the module has failed (${error.message}); call init() and make all lines again`);
+    ready = null;
+    throw broken;
+  }
+}
+
+function failure() {
+  if (thrown !== null) {
+    const { error } = thrown;
+    thrown = null;
+    return error;
+  }
+  return wasm.la_cancelled() ? new DOMException(messageOf(), 'AbortError') : new Error(messageOf());
+}
+function check(well) {
+  if (!well) throw failure();
+}
+
+function withProgress(progress, action) {
+  if (progress !== undefined && typeof progress !== 'function') throw new Error('lineatlas: progress must be a function');
+  told = progress ?? null;
+  thrown = null;
+  try {
+    return action();
+  } finally {
+    told = null;
+  }
+}
+
+/// What a call needs in the module's memory, freed when it is over.
+function withMemory(action) {
+  const taken = [];
+  const put = (data) => {
+    const address = call('la_allocate', data.byteLength);
+    if (address === 0) throw new Error('lineatlas: out of memory; 4 GiB is all that WebAssembly has');
+    taken.push(address);
+    bytesAt(address, data.byteLength).set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
+    return address;
+  };
+  const putText = (text) => {
+    const bytes = encoder.encode(text);
+    return [put(bytes), bytes.length];
+  };
+  try {
+    return action({ put, putText });
+  } finally {
+    if (broken === null) for (const address of taken) wasm.la_free(address);
+  }
+}
+
+function numbersOf(value, Type, what) {
+  if (value instanceof Type) return value;
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) {
+    if (Type === Uint32Array && Array.prototype.some.call(value, (v) => !(Number.isInteger(v) && v >= 0 && v < none)))
+      throw new Error(`lineatlas: ${what} must be whole numbers from 0`);
+    return Type.from(value);
+  }
+  throw new Error(`lineatlas: ${what} must be a ${Type.name} or another list of numbers`);
+}
+
+/// Sixteen numbers by columns, as three.js and gl-matrix have them, in an array or in `elements`.
+function matrixOf(value, what) {
+  const numbers = numbersOf(value?.elements ?? value, Float32Array, what);
+  if (numbers.length !== 16) throw new Error(`lineatlas: ${what} must have 16 numbers, not ${numbers.length}`);
+  return numbers;
+}
+
+function maskOf(names, what) {
+  if (names === undefined) return (1 << kinds.length) - 1;
+  let mask = 0;
+  for (const name of names) {
+    const kind = kinds.indexOf(name);
+    if (kind < 0) throw new Error(`lineatlas: ${what}: there is no kind "${name}"; there is ${kinds.join(', ')}`);
+    mask |= 1 << kind;
+  }
+  return mask;
+}
+
+function choiceOf(name, names, what) {
+  const index = names.indexOf(name ?? names[0]);
+  if (index < 0) throw new Error(`lineatlas: ${what} must be one of ${names.join(', ')}, not "${name}"`);
+  return index;
+}
+
+function refuseUnknown(options, known, what) {
+  for (const key of Object.keys(options))
+    if (!known.includes(key)) throw new Error(`lineatlas: ${what} has no "${key}"; it has ${known.join(', ')}`);
+}
+
+const meshKeys = ['positions', 'stride', 'indices', 'materials', 'matrix', 'name', 'polylines'];
+
+function addMesh(model, mesh, number) {
+  const name = mesh.name ?? '', what = name === '' ? `mesh ${number}` : `mesh "${name}"`;
+  refuseUnknown(mesh, meshKeys, what);
+  withMemory(({ put, putText }) => {
+    const list = (value, Type, key) => {
+      if (value === undefined || value === null) return [0, 0];
+      const numbers = numbersOf(value, Type, `${what}: ${key}`);
+      return [put(numbers), numbers.length];
+    };
+    const positions = mesh.indices?.length === 0 ? undefined : mesh.positions; // without any they would be corners as they come
+    const matrix = mesh.matrix ? put(matrixOf(mesh.matrix, `${what}: matrix`)) : 0;
+    const well = call('la_add_mesh', model, ...putText(name), ...list(positions, Float32Array, 'positions'), mesh.stride ?? 3,
+      ...list(mesh.indices, Uint32Array, 'indices'), ...list(mesh.materials, Uint32Array, 'materials'), matrix);
+    if (!well) throw new Error(messageOf().replace(/^mesh:/, `${what}:`));
+    for (const line of mesh.polylines ?? []) {
+      const points = numbersOf(line, Float32Array, `${what}: polylines`);
+      if (points.length % 3 !== 0) throw new Error(`lineatlas: ${what}: a polyline has three numbers for each point`);
+      check(call('la_add_polyline', model, put(points), points.length / 3, matrix));
+    }
+  });
+}
+
+const linesKeys = ['kinds', 'creaseAngle', 'silhouettes', 'separateParts', 'sections', 'hatching', 'progress'];
+
+function makeModel(meshes, options) {
+  refuseUnknown(options, linesKeys, 'Lines');
+  const model = call('la_make_model');
+  if (model === 0) throw failure();
+  try {
+    meshes.forEach((mesh, number) => addMesh(model, mesh, number));
+    for (const { point, normal } of options.sections ?? [])
+      withMemory(({ put }) => check(call('la_add_section', model, put(Float64Array.of(...point, ...normal)))));
+    const crease = options.creaseAngle === undefined ? NaN : (options.creaseAngle * Math.PI) / 180;
+    const hatching = options.hatching === undefined ? 0 : options.hatching === false ? -1 : options.hatching;
+    withProgress(options.progress, () =>
+      check(call('la_extract', model, maskOf(options.kinds, 'kinds'), crease,
+        choiceOf(options.silhouettes, ['auto', 'smooth', 'mesh'], 'silhouettes'), options.separateParts ? 1 : 0, hatching)));
+    return model;
+  } catch (error) {
+    if (broken === null) wasm.la_free_model(model);
+    throw error;
+  }
+}
+
+// What pages forget to dispose of.
+const forgotten = new FinalizationRegistry(({ module, free, address }) => {
+  if (module === wasm && broken === null) module[free](address);
+});
+
+/// Something in the module that has to be freed once.
+class Owned {
+  #address;
+  #free;
+  #module = wasm;
+  constructor(address, free) {
+    this.#address = address;
+    this.#free = free;
+    forgotten.register(this, { module: wasm, free, address }, this);
+  }
+  get _address() {
+    if (this.#address === 0) throw new Error(`lineatlas: ${this.constructor.name} was disposed of`);
+    if (this.#module !== wasm) throw new Error('lineatlas: made before init() was called again');
+    return this.#address;
+  }
+  dispose() {
+    if (this.#address !== 0 && this.#module === wasm && broken === null) call(this.#free, this.#address);
+    this.#address = 0;
+    forgotten.unregister(this);
+  }
+}
+
+const viewKeys = ['view', 'projection', 'width', 'height', 'zeroToOne'];
+
+/// The camera's matrices in the module's memory, with what else calls take of it.
+function putCamera(put, camera) {
+  const matrices = new Float32Array(32);
+  matrices.set(matrixOf(camera.view, 'camera: view'));
+  matrices.set(matrixOf(camera.projection, 'camera: projection'), 16);
+  for (const side of ['width', 'height'])
+    if (!Number.isInteger(camera[side])) throw new Error(`lineatlas: camera: ${side} must be a whole number of pixels`);
+  refuseUnknown(camera, viewKeys, 'camera');
+  return [put(matrices), camera.width, camera.height, camera.zeroToOne ? 1 : 0];
+}
+
+const frameKeys = ['width', 'height', 'from', 'up', 'projection', 'fov'];
+const drawKeys = ['kinds', 'hidden', 'outlines', 'progress'];
+
+export class Lines extends Owned {
+  constructor(meshes, options = {}) {
+    super(makeModel(Array.isArray(meshes) ? meshes : [meshes], options), 'la_free_model');
+  }
+
+  get segmentCount() { return call('la_segment_count', this._address); }
+
+  get bounds() {
+    const numbers = floatsAt(call('la_bounds', this._address), 6);
+    return { min: [...numbers.subarray(0, 3)], max: [...numbers.subarray(3)] };
+  }
+
+  get notes() {
+    check(call('la_notes', this._address));
+    return takeText().split('\n').slice(0, -1);
+  }
+
+  setHidden(parts) {
+    withMemory(({ put }) => {
+      const numbers = numbersOf(parts, Uint32Array, 'setHidden: parts');
+      check(call('la_hide', this._address, put(numbers), numbers.length));
+    });
+  }
+
+  frame(options) {
+    refuseUnknown(options, frameKeys, 'frame');
+    const { width, height, from = '', up = [0, 1, 0], projection, fov = 40 } = options;
+    return withMemory(({ put, putText }) => {
+      const to = put(new Float32Array(32));
+      check(call('la_frame', this._address, to, width, height, ...putText(from), ...up, (fov * Math.PI) / 180,
+        choiceOf(projection, ['perspective', 'orthographic'], 'projection')));
+      const numbers = floatsAt(to, 32);
+      return { view: numbers.slice(0, 16), projection: numbers.slice(16), width, height };
+    });
+  }
+
+  draw(camera, options = {}) {
+    refuseUnknown(options, drawKeys, 'draw');
+    return withMemory(({ put }) => {
+      const seen = withProgress(options.progress, () =>
+        call('la_find', this._address, ...putCamera(put, camera), maskOf(options.kinds, 'kinds'),
+          options.hidden ? 1 : 0, options.outlines ? 1 : 0));
+      if (seen === 0) throw failure();
+      return new Drawing(this, seen);
+    });
+  }
+
+  pick(camera, x, y, { radius = 8, kinds: wanted } = {}) {
+    return withMemory(({ put }) => {
+      const found = call('la_pick', this._address, ...putCamera(put, camera), x, y, radius, maskOf(wanted, 'kinds'));
+      if (found === 0) {
+        if (wasm.la_message_size() > 0) throw failure();
+        return null;
+      }
+      const [kind, part, start, end, triangle] = at(Uint32Array, found, 5);
+      const [px, py, distance, ...world] = floatsAt(found + 20, 6);
+      return { kind: kind === none ? null : kinds[kind], part, edge: [start, end], triangle, x: px, y: py, distance, world };
+    });
+  }
+}
+
+function takeText() {
+  const text = decoder.decode(bytesAt(wasm.la_text(), wasm.la_text_size()));
+  wasm.la_drop_text();
+  return text;
+}
+
+const writeKeys = ['style', 'title', 'page', 'margin', 'tags'];
+
+export class Drawing extends Owned {
+  #lines; // which must not be freed before
+  constructor(lines, address) {
+    super(address, 'la_free_seen');
+    this.#lines = lines;
+  }
+
+  get segmentCount() { return call('la_seen_count', this._address); }
+
+  segments() {
+    const count = this.segmentCount;
+    try {
+      check(call('la_segments', this.#lines._address, this._address));
+      const copy = (name, Type, each) => at(Type, wasm[`la_segments_${name}`](), each * count).slice();
+      return {
+        count,
+        positions: copy('positions', Float32Array, 6),
+        screen: copy('screen', Float32Array, 4),
+        kind: copy('kinds', Uint8Array, 1),
+        visible: copy('visible', Uint8Array, 1),
+        edge: copy('edges', Uint32Array, 2),
+        part: copy('parts', Uint32Array, 1),
+      };
+    } finally {
+      if (broken === null) wasm.la_drop_segments();
+    }
+  }
+
+  #write(format, options) {
+    refuseUnknown(options, writeKeys, 'options');
+    const { style = {}, title = 'Line drawing', page, margin = 0, tags = true } = options;
+    const settings = Object.entries(style).map(([key, value]) => `${key}=${value}`);
+    return withMemory(({ putText }) => {
+      check(call('la_write', this.#lines._address, this._address, format, ...putText(settings.join('\n')), ...putText(title),
+        page?.width ?? 0, page?.height ?? 0, margin, tags ? 1 : 0));
+      return takeText();
+    });
+  }
+
+  toSVG(options = {}) { return this.#write(0, options); }
+  toDXF(options = {}) { return this.#write(1, options); }
+  toJSON(options = {}) { return this.#write(2, options); }
+}
