@@ -32,7 +32,7 @@ class ViewerDriver {
     /// Frames that only show what there is, and take little time.
     void panel_frames(int count) {
         for (int i = 0; i < count; ++i) {
-            app_.on_refresh();
+            app_.input().on_refresh();
             app_.step(0);
         }
     }
@@ -58,24 +58,24 @@ class ViewerDriver {
         release(code);
         rest();
     }
-    void press(int code, int mods = 0) { app_.on_key(code, 0, GLFW_PRESS, mods); }
-    void release(int code) { app_.on_key(code, 0, GLFW_RELEASE, 0); }
+    void press(int code, int mods = 0) { app_.input().on_key(code, 0, GLFW_PRESS, mods); }
+    void release(int code) { app_.input().on_key(code, 0, GLFW_RELEASE, 0); }
     void move(glm::dvec2 place) {
-        app_.on_mouse_move(place);
+        app_.input().on_mouse_move(place);
         rest();
     }
     void drag(int button, glm::dvec2 from, glm::dvec2 to, int mods = 0) {
         move(from);
-        app_.on_mouse_button(button, GLFW_PRESS, mods);
+        app_.input().on_mouse_button(button, GLFW_PRESS, mods);
         rest();
         move(0.5 * (from + to));
         move(to);
-        app_.on_mouse_button(button, GLFW_RELEASE, mods);
+        app_.input().on_mouse_button(button, GLFW_RELEASE, mods);
         rest();
     }
     void scroll(double clicks, glm::dvec2 place) {
         move(place);
-        app_.on_scroll({0, clicks});
+        app_.input().on_scroll({0, clicks});
         rest();
     }
     glm::dvec2 middle_of(const std::string& spot) {
@@ -113,12 +113,12 @@ class ViewerDriver {
     }
     void type(const std::string& text) {
         for (const char letter : text) {
-            app_.on_character(static_cast<unsigned char>(letter));
+            app_.input().on_character(static_cast<unsigned char>(letter));
             panel_frames(2);
         }
     }
     void drop(const std::filesystem::path& file) {
-        app_.on_drop({file});
+        app_.input().on_drop({file});
         rest();
     }
 

@@ -18,7 +18,7 @@ class ViewerFiles : public Viewer {
     void drop(const std::vector<std::string>& names) {
         std::vector<std::filesystem::path> files;
         for (const std::string& name : names) files.emplace_back(path(name));
-        app_.on_drop(files);
+        app_.input().on_drop(files);
         hand_.rest();
     }
     std::vector<std::string> parts() {

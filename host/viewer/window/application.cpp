@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include "theme.hpp"
 
@@ -35,14 +36,12 @@ Application::Application(const ApplicationOptions& options, ImageWriter& writer)
     : options_(options), window_(options.size, "lineatlas"), gui_(window_.handle()),
       session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
     ui_.theme = options.theme.value_or(theme_of_desktop());
-    window_.listen(this);
+    window_.listen(&queue_);
     session_.interrupted = [this] { return something_happens(); };
     show_soon();
 }
 
-Application::~Application() {
-    window_.listen(nullptr);
-}
+Application::~Application() = default;
 
 void Application::show_soon() {
     frames_due_ = frames_after_event;
@@ -50,10 +49,35 @@ void Application::show_soon() {
 
 /// Looks without doing anything about it: a picture is being drawn.
 bool Application::something_happens() {
-    window_.listen(&queue_);
     Window::wait(0);
-    window_.listen(this);
     return !queue_.empty() || window_.should_close();
+}
+
+/// Whether a field has the keyboard, or has it from the next frame on.
+bool Application::field_has_keyboard() {
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
+}
+
+/// Whether letters are text and no shortcuts.
+bool Application::letters_are_text() const {
+    return has_search(ui_.panel) || field_has_keyboard();
+}
+
+/// Until the field of a panel has the keyboard, so that it gets what is typed.
+void Application::give_keyboard() {
+    constexpr int most = 4; // frames that ImGui takes for it
+    for (int i = 0; i < most && has_search(ui_.panel) && !field_has_keyboard(); ++i) make_frame();
+}
+
+/// Shows the interface each event before the next one comes, without pictures: else of a key that
+/// goes down and up within a frame nothing is seen, and letters come before their field is there.
+/// Work that was asked for is done before what was typed after it.
+void Application::take_input() {
+    while (!queue_.empty() && !ui_.later) {
+        give_keyboard();
+        queue_.pass_next_to(*this);
+        if (!queue_.empty()) make_frame();
+    }
 }
 
 void Application::run() {
@@ -86,10 +110,11 @@ double Application::seconds_to_wait() const {
 }
 
 void Application::step(double longest_wait) {
-    double wait = seconds_to_wait();
+    double wait = queue_.empty() ? seconds_to_wait() : 0;
     if (longest_wait >= 0) wait = wait < 0 ? longest_wait : std::min(wait, longest_wait);
     const bool timed = wait > 0;
     window_.wait(wait);
+    take_input();
     if (timed) session_.look_at_file();
     if (timed &&
         (session_.loader.busy() || session_.messages.passing() || ImGui::GetIO().WantTextInput)) {
@@ -168,7 +193,7 @@ void Application::make_frame() {
     io.AddMousePosEvent(mouse.x, mouse.y);
 #else
     io.MousePos = mouse;
-    if (options_.scripted) std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown); // not as they are by now
 #endif
     ImGui::NewFrame();
     ui_.spots.begin_frame();
@@ -201,7 +226,6 @@ void Application::show_frame() {
     const bool drawn = session_.stale();
     if (drawn) {
         session_.draw();
-        queue_.pass_to(*this);
         if (session_.timings_due()) session_.take_timings();
     }
     paint();

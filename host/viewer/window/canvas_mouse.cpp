@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
@@ -131,20 +132,34 @@ void CanvasMouse::scroll(double clicks, glm::dvec2 place) {
 
 bool CanvasMouse::key(int key, bool down) {
     if (!ways().contains(key)) return false;
-    if (down)
+    if (down) {
         keys_.insert(key);
-    else
+        fresh_keys_.insert(key);
+        released_keys_.erase(key);
+    } else if (fresh_keys_.contains(key)) {
+        released_keys_.insert(key); // once it has moved something
+    } else {
         keys_.erase(key);
+    }
     return true;
 }
 
+void CanvasMouse::release_keys() {
+    keys_.clear();
+    fresh_keys_.clear();
+    released_keys_.clear();
+}
+
 void CanvasMouse::advance(double seconds, bool fast) {
-    if (keys_.empty() || session_.model() == nullptr) return;
+    if (keys_.empty()) return;
+    if (session_.model() == nullptr) return release_keys();
     glm::dvec3 way{0};
     for (const int key : keys_) way += ways().at(key);
     const Bounds& bounds = session_.model()->lines.bounds;
     const double speed = flight_per_second * glm::length(bounds.max - bounds.min);
     session_.navigation.fly(way * (speed * seconds * (fast ? fast_factor : 1)));
+    fresh_keys_.clear();
+    for (const int key : std::exchange(released_keys_, {})) keys_.erase(key);
 }
 
 } // namespace lineatlas::viewer

@@ -28,7 +28,7 @@ class CanvasMouse {
 
     /// A key went down or up; true: it is one of those for flying.
     bool key(int key, bool down);
-    void release_keys() { keys_.clear(); }
+    void release_keys();
     bool flying() const { return !keys_.empty(); }
     void advance(double seconds, bool fast);
 
@@ -46,9 +46,10 @@ class CanvasMouse {
     glm::dvec2 pressed_{0}, last_{0}, clicked_{-1e6};
     bool moved_ = false; ///< too far for a click
     double clicked_at_ = -1e6;
-    std::size_t cut_ = 0; ///< that is dragged
-    glm::dvec3 held_{0};  ///< the point of the model where a drag began
-    std::set<int> keys_;
+    std::size_t cut_ = 0;                      ///< that is dragged
+    glm::dvec3 held_{0};                       ///< the point of the model where a drag began
+    std::set<int> keys_;                       ///< that fly
+    std::set<int> fresh_keys_, released_keys_; ///< of them: down, up again since advance()
 };
 
 } // namespace lineatlas::viewer

@@ -22,6 +22,11 @@ void save(Ui& ui) {
     save_as(ui, kind);
 }
 
+template <Panel panel>
+void show(Ui& ui) {
+    switch_panel(ui, panel);
+}
+
 template <Session::Move move>
 void record(Ui& ui) {
     ui.session.start_recording(move, ui.folder, ui.record_frames);
@@ -134,7 +139,7 @@ constexpr std::array all{
     Command{"Undo", GLFW_KEY_Z, ctrl, [](Ui& ui) { ui.session.undo(); }},
     Command{"Redo", GLFW_KEY_Y, ctrl, [](Ui& ui) { ui.session.redo(); }},
 
-    Command{"Open a file", GLFW_KEY_O, ctrl, [](Ui& ui) { show_open_panel(ui); }},
+    Command{"Open a file", GLFW_KEY_O, ctrl, show<Panel::open>},
     Command{"Read the file again", GLFW_KEY_R, ctrl, [](Ui& ui) { ui.session.reload(); }},
     Command{"Save the session", GLFW_KEY_S, ctrl, save<SavedKind::session>},
     Command{"Save the picture as PNG", GLFW_KEY_E, ctrl, save<SavedKind::png>},
@@ -144,20 +149,20 @@ constexpr std::array all{
     Command{"Save the style", 0, 0, save<SavedKind::style>},
     Command{"Save the camera", 0, 0, save<SavedKind::camera>},
 
-    Command{"Find a command", GLFW_KEY_P, ctrl, show_palette},
+    Command{"Find a command", GLFW_KEY_P, ctrl, show<Panel::palette>},
     Command{"Sidebar", GLFW_KEY_TAB, 0, [](Ui& ui) { ui.sidebar = !ui.sidebar; }},
     Command{"Keyboard into the sidebar", GLFW_KEY_F6, 0, keyboard_to_sidebar},
     Command{"Timings", GLFW_KEY_T, 0, [](Ui& ui) { ui.timings = !ui.timings; }},
     Command{"Save the timings as a trace", 0, 0, save<SavedKind::trace>},
     Command{"Light or dark panels", GLFW_KEY_L, 0, switch_theme},
-    Command{"Keys", GLFW_KEY_F1, 0, [](Ui& ui) { ui.help = !ui.help; }},
+    Command{"Keys", GLFW_KEY_F1, 0, show<Panel::keys>},
     Command{"Quit", GLFW_KEY_Q, ctrl, [](Ui& ui) { ui.quit = true; }},
 };
 
 /// Keys that people know from elsewhere.
 constexpr std::array others{
     Command{"", GLFW_KEY_Z, ctrl | shift, [](Ui& ui) { ui.session.redo(); }},
-    Command{"", GLFW_KEY_SLASH, 0, [](Ui& ui) { ui.help = !ui.help; }},
+    Command{"", GLFW_KEY_SLASH, 0, show<Panel::keys>},
 };
 
 std::string name_of_key(int key) {

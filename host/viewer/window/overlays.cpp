@@ -24,12 +24,7 @@ void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot
 void toolbar(Ui& ui, Area canvas) {
     begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
-    if (toggle(ui, "open.panel", "Open", ui.opening)) {
-        if (ui.opening)
-            ui.opening = false;
-        else
-            show_open_panel(ui);
-    }
+    if (toggle(ui, "open.panel", "Open", ui.panel == Panel::open)) switch_panel(ui, Panel::open);
     tip("Files of a folder, and recent ones (Ctrl+O)");
     ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
@@ -49,7 +44,8 @@ void toolbar(Ui& ui, Area canvas) {
     if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
     tip("Where a frame's time goes (T)");
     ImGui::SameLine();
-    if (toggle(ui, "help", "?", ui.help, ui.points(26))) ui.help = !ui.help;
+    if (toggle(ui, "help", "?", ui.panel == Panel::keys, ui.points(26)))
+        switch_panel(ui, Panel::keys);
     tip("Keys (F1)");
     ImGui::PopStyleVar();
     ImGui::End();
@@ -233,7 +229,7 @@ void draw_messages(Ui& ui, Area canvas) {
 }
 
 void draw_help(Ui& ui) {
-    if (!ui.help) return;
+    if (ui.panel != Panel::keys) return;
     struct Row {
         std::string key;
         std::string what;
@@ -265,7 +261,7 @@ void draw_help(Ui& ui) {
             ImGui::TextDisabled("%s", rows[at].what.c_str());
         }
     }
-    if (button(ui, "help.close", "Close")) ui.help = false;
+    if (button(ui, "help.close", "Close")) ui.panel = Panel::none;
     ImGui::End();
 }
 

@@ -28,15 +28,6 @@ void model_section(Ui& ui) {
                             with_thousands(model->lines.triangles.size()).c_str(),
                             with_thousands(model->lines.segments.size()).c_str());
     }
-    ImGui::SetNextItemWidth(-1);
-    const bool entered =
-        ImGui::InputTextWithHint("##open", "Drop files, or type a path", &ui.open_path,
-                                 ImGuiInputTextFlags_EnterReturnsTrue);
-    ui.spots.note("open");
-    if (entered && !ui.open_path.empty()) {
-        session.open(ui.open_path);
-        ui.open_path.clear();
-    }
     if (model != nullptr && !model->source.files.empty()) {
         checkbox(ui, "adds", "Add to what is open", session.adds);
         tip("Files that are opened stand beside those that are there, each in its own coordinates");

@@ -52,11 +52,21 @@ struct DeviceChoice {
     DeviceOptions options;
 };
 
-/// Of the list of commands while it is there.
-struct PaletteState {
+/// What floats over the picture: one at a time.
+enum class Panel { none, open, palette, keys };
+
+/// Of a list that one searches by typing.
+struct SearchState {
     std::string searched{};
     int chosen = 0; ///< of those that are found
-    bool has_keyboard = false;
+};
+
+/// Of the panel of files.
+struct OpenState {
+    SearchState search{};
+    std::filesystem::path folder{}; ///< where what is typed begins
+    std::filesystem::path listed{}; ///< whose entries there are
+    std::vector<FileEntry> entries{};
 };
 
 /// What the panels know besides the session.
@@ -67,17 +77,15 @@ struct Ui {
     float scale = 1; ///< of letters and spacing
     Theme theme = Theme::light;
     std::set<std::string> folded{}; ///< sections of the sidebar
-    bool sidebar = true, help = false, timings = false;
+    bool sidebar = true, timings = false;
     std::vector<DeviceChoice> devices{};
-    std::optional<PaletteState> palette{};
-    bool quit = false;                ///< the window is to be closed
-    bool keyboard_to_sidebar = false; ///< arrows and Enter are for its items from now on
-    bool kernels = false;             ///< in the panel of timings, in place of stages
-    bool opening = false;             ///< the panel of files is there
-    std::filesystem::path open_folder{};
-    std::vector<FileEntry> open_entries{};  ///< of it
-    std::string open_path{};                ///< what is being typed
-    std::string part_search{};              ///< the same
+    Panel panel = Panel::none;
+    SearchState palette{};
+    OpenState open{};
+    bool quit = false;                      ///< the window is to be closed
+    bool keyboard_to_sidebar = false;       ///< arrows and Enter are for its items from now on
+    bool kernels = false;                   ///< in the panel of timings, in place of stages
+    std::string part_search{};              ///< what is being typed
     std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
     int record_frames = 120;                ///< of a recording
     int save_scale = 1;
@@ -113,9 +121,13 @@ void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
 void draw_help(Ui& ui);
 void draw_palette(Ui& ui, Area canvas);
-void show_palette(Ui& ui);
 void draw_open_panel(Ui& ui, Area canvas);
-/// Lists the folder of the model, or the one that was listed last.
-void show_open_panel(Ui& ui);
+/// In place of the one that was there; the same one goes. The panel of files lists the folder of
+/// the model, or the one that was listed last.
+void switch_panel(Ui& ui, Panel panel);
+/// Whether a panel's field has the keyboard as long as the panel is there.
+inline bool has_search(Panel panel) {
+    return panel == Panel::open || panel == Panel::palette;
+}
 
 } // namespace lineatlas::viewer

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include "theme.hpp"
 #include "ui.hpp"
@@ -152,15 +153,50 @@ inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float widt
 }
 
 /// A panel that floats over the picture; ends with ImGui::End().
-inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size) {
+inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size,
+                           ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos({low.x, low.y});
     ImGui::SetNextWindowSize({size.x, size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                 flags | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar(2);
+}
+
+/// Of panels with a search_field(), and of lists in them: arrows are for what is found.
+inline constexpr ImGuiWindowFlags searched_flags = ImGuiWindowFlags_NoNavInputs;
+
+/// The field of a panel that has the keyboard as long as the panel is there. Returns whether Enter
+/// was pressed.
+inline bool search_field(Ui& ui, SearchState& state, const char* id, const char* hint) {
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+    const std::string before = state.searched;
+    const bool entered =
+        ImGui::InputTextWithHint((std::string{"##"} + id).c_str(), hint, &state.searched,
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.spots.note(id);
+    if (before != state.searched) state.chosen = 0;
+    return entered;
+}
+
+inline bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700 // keys have their names
+    return ImGui::IsKeyPressed(key);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
+/// Arrows choose among so many that are found. Returns whether another one is chosen now.
+inline bool move_choice(SearchState& state, std::size_t count) {
+    const int before = state.chosen, last = std::max(static_cast<int>(count) - 1, 0);
+    if (key_pressed(ImGuiKey_DownArrow)) ++state.chosen;
+    if (key_pressed(ImGuiKey_UpArrow)) --state.chosen;
+    state.chosen = std::clamp(state.chosen, 0, last);
+    return state.chosen != before;
 }
 
 /// What is drawn over the picture and ends where it does; ends with PopClipRect().
