@@ -90,7 +90,7 @@ class ViewerDriver {
         const double x = app_.window().points().x - 100;
         for (int i = 0; i < 100; ++i) {
             const glm::dvec2 place = middle_of(spot);
-            const bool footer = spot.starts_with("save.") || spot == "folder";
+            const bool footer = spot == "export" || spot == "save.session";
             if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
                 return;
             scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
@@ -116,6 +116,12 @@ class ViewerDriver {
             app_.input().on_character(static_cast<unsigned char>(letter));
             panel_frames(2);
         }
+    }
+    /// Saves as the command of that kind does.
+    void save(viewer::SavedKind kind) {
+        viewer::save_as(app_.ui(), kind);
+        panel_frames(1);
+        rest();
     }
     void drop(const std::filesystem::path& file) {
         app_.input().on_drop({file});

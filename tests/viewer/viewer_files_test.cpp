@@ -74,7 +74,7 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     ASSERT_EQ(error(), "");
     EXPECT_NE(text_of(path("left.session.toml")).find("[\"left.obj\", \"right.obj\"]"),
               std::string::npos);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("left.session.toml") +
                                 " -o " + path("tool.svg");
     ASSERT_EQ(std::system(command.c_str()), 0) << command;

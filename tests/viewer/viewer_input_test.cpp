@@ -158,8 +158,8 @@ TEST_F(ViewerTaps, EachEventIsDoneInItsOrder) {
     click("parts.search");
     keyboard_.type("bolt");
     keyboard_.tap(XK_Return);
-    keyboard_.tap(XK_e, ControlMask);
-    keyboard_.tap(XK_e, ControlMask);
+    keyboard_.tap(XK_e, ControlMask | ShiftMask);
+    keyboard_.tap(XK_e, ControlMask | ShiftMask);
     keyboard_.tap(XK_h);
     hand_.rest();
     EXPECT_EQ(app_.ui().part_search, "bolt");

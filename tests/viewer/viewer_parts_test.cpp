@@ -155,7 +155,8 @@ TEST_F(ViewerParts, AFileIsReadAgain) {
 
 TEST_F(ViewerParts, SavedPathsAreThoseOfTheToolThatHidesThem) {
     hand_.click("show:Bolt M8");
-    for (const char* button : {"save.svg", "save.camera"}) hand_.click(button);
+    hand_.save(viewer::SavedKind::svg);
+    hand_.save(viewer::SavedKind::camera);
     EXPECT_EQ(error(), "");
     const std::string saved = text_of(path("m.svg"));
     EXPECT_NE(saved.find("--hide 'Bolt M8'"), std::string::npos);

@@ -103,7 +103,7 @@ TEST_F(ViewerSession, SessionsAreSavedOpenedAndDrawnByTheTool) {
     hand_.key(GLFW_KEY_B);
     session().settings.exact_at_rest = true;
     hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     ASSERT_EQ(error(), "");
     const View saved = session().navigation.view();
     const viewer::Shown shown = session().settings.shown;
@@ -242,7 +242,7 @@ TEST_F(ViewerSession, SilhouettesFollowTheMeshOrTheSurface) {
     hand_.screenshot("silhouettes");
     hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
     EXPECT_NE(text_of(path("m.session.toml")).find("silhouettes = \"smooth\""), std::string::npos);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     EXPECT_NE(text_of(path("m.svg")).find("--silhouettes smooth"), std::string::npos);
     hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
     EXPECT_FALSE(smooth());

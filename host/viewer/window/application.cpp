@@ -60,7 +60,7 @@ bool Application::field_has_keyboard() {
 
 /// Whether letters are text and no shortcuts.
 bool Application::letters_are_text() const {
-    return has_search(ui_.panel) || field_has_keyboard();
+    return takes_letters(ui_.panel) || field_has_keyboard();
 }
 
 /// Until the field of a panel has the keyboard, so that it gets what is typed.
@@ -95,10 +95,15 @@ std::optional<double> Application::seconds_to_refine() const {
     return options_.scripted ? 0 : std::max(rest - past.count(), 0.0);
 }
 
+/// Whether the page of an export is to be drawn anew.
+bool Application::shows_preview() const {
+    return ui_.panel == Panel::exporting && session_.preview_due();
+}
+
 /// 0: at once; below 0: until something happens.
 double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
-                         session_.recording() || mouse_.flying() || ui_.later;
+                         session_.recording() || mouse_.flying() || ui_.later || shows_preview();
     if (at_work) return 0;
     if (const std::optional<double> seconds = seconds_to_refine()) return *seconds;
     constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
@@ -134,6 +139,11 @@ void Application::step(double longest_wait) {
             paint();
             window_.show_frame();
         }
+    }
+    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // which says so
+    if (frames_due_ == 0 && shows_preview()) {
+        session_.draw_preview();
+        show_soon();
     }
     if (frames_due_ == 0 && !session_.stale()) return;
     frames_due_ = std::max(frames_due_ - 1, 0);
@@ -209,6 +219,7 @@ void Application::make_frame() {
     draw_messages(ui_, canvas);
     draw_help(ui_);
     draw_open_panel(ui_, canvas);
+    draw_export_panel(ui_);
     draw_palette(ui_, canvas);
     if (ui_.quit) window_.close();
     session_.profile = ui_.timings;

@@ -62,6 +62,7 @@ class Application final : private InputListener {
     };
 
     double seconds_to_wait() const;
+    bool shows_preview() const;
     std::optional<double> seconds_to_refine() const;
     void advance();
     void fit_scale();

@@ -115,6 +115,7 @@ fs::path first_folder(const Session& session) {
 void switch_panel(Ui& ui, Panel panel) {
     ui.panel = ui.panel == panel ? Panel::none : panel;
     ui.palette = {};
+    if (panel == Panel::exporting) begin_export(ui);
     if (panel != Panel::open) return;
     const fs::path folder = ui.open.folder.empty() ? first_folder(ui.session) : ui.open.folder;
     ui.open = {};

@@ -53,7 +53,7 @@ struct DeviceChoice {
 };
 
 /// What floats over the picture: one at a time.
-enum class Panel { none, open, palette, keys };
+enum class Panel { none, open, exporting, palette, keys };
 
 /// Of a list that one searches by typing.
 struct SearchState {
@@ -69,6 +69,12 @@ struct OpenState {
     std::vector<FileEntry> entries{};
 };
 
+/// Of the panel of exports; kept from one time to the next.
+struct ExportState {
+    ExportOptions options{};
+    std::string name{}; ///< of the file
+};
+
 /// What the panels know besides the session.
 struct Ui {
     Session& session;
@@ -82,14 +88,14 @@ struct Ui {
     Panel panel = Panel::none;
     SearchState palette{};
     OpenState open{};
+    ExportState exporting{};
     bool quit = false;                      ///< the window is to be closed
     bool keyboard_to_sidebar = false;       ///< arrows and Enter are for its items from now on
     bool kernels = false;                   ///< in the panel of timings, in place of stages
     std::string part_search{};              ///< what is being typed
     std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
     int record_frames = 120;                ///< of a recording
-    int save_scale = 1;
-    std::string folder = "."; ///< where files are saved
+    std::string folder = ".";               ///< where files are saved
     /// Work during which the window can't answer: it is done after a frame that says so.
     std::optional<std::pair<std::string, std::function<void()>>> later{};
 
@@ -122,9 +128,16 @@ void draw_messages(Ui& ui, Area canvas);
 void draw_help(Ui& ui);
 void draw_palette(Ui& ui, Area canvas);
 void draw_open_panel(Ui& ui, Area canvas);
+void draw_export_panel(Ui& ui);
+/// Chooses a name for the file.
+void begin_export(Ui& ui);
 /// In place of the one that was there; the same one goes. The panel of files lists the folder of
 /// the model, or the one that was listed last.
 void switch_panel(Ui& ui, Panel panel);
+/// Whether letters are no shortcuts as long as a panel is there.
+inline bool takes_letters(Panel panel) {
+    return panel != Panel::none && panel != Panel::keys;
+}
 /// Whether a panel's field has the keyboard as long as the panel is there.
 inline bool has_search(Panel panel) {
     return panel == Panel::open || panel == Panel::palette;
