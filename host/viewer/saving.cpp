@@ -80,7 +80,9 @@ std::string command_of(const SavedPicture& picture) {
                         name_of(options.method), options.probes, options.depth_scale, options.step,
                         picture.size.x, picture.size.y);
     const Model& model = picture.model;
-    for (const std::uint32_t part : model.shown.hidden)
+    for (const std::uint32_t part : model.shown.parts.only)
+        text += " --only " + word(model.parts.pattern_of(part));
+    for (const std::uint32_t part : model.shown.parts.hidden)
         text += " --hide " + word(model.parts.pattern_of(part));
     for (const SectionPlane& plane : model.planes) text += " --section " + word(plane.name);
     if (model.shown.crease) text += fmt::format(" --crease {}", *model.shown.crease);

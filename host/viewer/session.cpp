@@ -208,7 +208,7 @@ void Session::show(std::shared_ptr<Model> model) {
     if (new_parts) {
         for (const std::filesystem::path& file : model_->source.files) recent.add(file);
         read_times_ = write_times_of(model_->source.files);
-        selected.reset();
+        selected.clear();
         refine_seconds_ = unknown_seconds;
         pace_ = {};
         settings.shown = model_->shown;

@@ -63,8 +63,8 @@ class Session {
     const Model* model() const { return model_.get(); }
     glm::dvec3 origin() const; ///< of what is shown, in the file's coordinates
 
-    /// What is hidden from now on; refused where nothing would be left.
-    void hide_parts(HiddenParts hidden);
+    /// Which parts are shown from now on; refused where nothing would be left.
+    void show_parts(ShownParts shown);
     /// What is cut from now on.
     void set_cuts(std::vector<Cut> cuts);
     /// A new cut across the middle of the model, that takes what lies before it; refused where
@@ -83,8 +83,13 @@ class Session {
     void cancel_loading();
     /// The part that is seen at a point of the canvas.
     std::optional<std::uint32_t> part_at(glm::dvec2 point) const;
-    void frame_part(std::uint32_t part);
-    std::optional<std::uint32_t> selected{}; ///< part
+    PartNumbers selected{};
+    /// The part in place of those that are selected, or, if it `adds`, beside them; one that is
+    /// selected already is no more then.
+    void select(std::optional<std::uint32_t> part, bool adds = false);
+    void hide_selected();
+    void isolate_selected(); ///< they are shown alone
+    void frame_selected();
 
     /// Takes `settings` as a step of their own, and a camera at rest as one of its. Cheap where
     /// nothing has changed.

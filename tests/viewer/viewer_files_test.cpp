@@ -55,7 +55,7 @@ TEST_F(ViewerFiles, AreAddedAndWhatIsHiddenStaysSo) {
     drop({"right.obj"});
     EXPECT_EQ(error(), "");
     EXPECT_EQ(triangles(), 24U);
-    EXPECT_EQ(session().model()->shown.hidden.size(), 1U);
+    EXPECT_EQ(session().model()->shown.parts.hidden.size(), 1U);
     const glm::dvec2 size = session().size();
     const auto seen = viewer::seen_at(session().navigation.view(), {3, 1, 1}, session().size());
     ASSERT_TRUE(seen);
@@ -86,7 +86,7 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     std::ofstream{path("right.obj")} << box("Bolt", {2, 0, 0}, 1) + box("Nut", {2, 3, 0}, 9);
     hand_.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
     EXPECT_EQ(triangles(), 36U);
-    EXPECT_EQ(session().model()->shown.hidden.size(), 1U);
+    EXPECT_EQ(session().model()->shown.parts.hidden.size(), 1U);
 }
 
 TEST_F(ViewerFiles, OneThatIsBrokenIsNamedAndNoneIsTaken) {

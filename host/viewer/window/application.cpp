@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -58,9 +59,15 @@ bool Application::field_has_keyboard() {
     return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
+/// Whether a menu or a list to choose from is open.
+bool Application::menu_is_open() {
+    constexpr ImGuiPopupFlags any = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+    return ImGui::IsPopupOpen(static_cast<const char*>(nullptr), any);
+}
+
 /// Whether letters are text and no shortcuts.
 bool Application::letters_are_text() const {
-    return takes_letters(ui_.panel) || field_has_keyboard();
+    return takes_letters(ui_.panel) || menu_is_open() || field_has_keyboard();
 }
 
 /// Until the field of a panel has the keyboard, so that it gets what is typed.
@@ -177,11 +184,13 @@ void Application::advance() {
 void Application::fit_scale() {
     const float scale = options_.scale > 0 ? options_.scale : window_.content_scale();
     const float ratio = window_.pixels_per_point();
-    if (scale == scale_ && ratio == pixels_per_point_ && ui_.theme == theme_) return;
+    const bool has_letters = ui_.letters.size() == letters_;
+    if (scale == scale_ && ratio == pixels_per_point_ && ui_.theme == theme_ && has_letters) return;
     theme_ = ui_.theme;
+    letters_ = ui_.letters.size();
     scale_ = ui_.scale = scale;
     pixels_per_point_ = ratio;
-    ui_.bold = apply_theme(ui_.theme, scale, ratio);
+    ui_.bold = apply_theme(ui_.theme, scale, ratio, ui_.letters);
 #ifndef IMGUI_HAS_TEXTURES // since 1.92 it renews the texture itself
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -216,12 +225,15 @@ void Application::make_frame() {
     mouse_.set_area(canvas);
     draw_canvas_overlays(ui_, canvas);
     draw_timings(ui_, canvas);
+    if (mouse_.take_menu()) ui_.opens_menu = true;
+    draw_parts_menu(ui_);
     draw_messages(ui_, canvas);
     draw_help(ui_);
     draw_open_panel(ui_, canvas);
     draw_export_panel(ui_);
     draw_palette(ui_, canvas);
     if (ui_.quit) window_.close();
+    if (ui_.letters.size() != letters_) show_soon(); // with them
     session_.profile = ui_.timings;
     if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -236,7 +248,12 @@ void Application::show_frame() {
     const auto start = std::chrono::steady_clock::now();
     const bool drawn = session_.stale();
     if (drawn) {
+        const auto status = [&] {
+            return std::tuple{session_.refining(), session_.refined(), session_.economy()};
+        };
+        const auto said = status();
         session_.draw();
+        if (status() != said) frames_due_ = std::max(frames_due_, 1); // the window says it yet
         if (session_.timings_due()) session_.take_timings();
     }
     paint();

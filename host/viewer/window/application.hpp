@@ -74,6 +74,7 @@ class Application final : private InputListener {
     void take_input();
     void give_keyboard();
     static bool field_has_keyboard();
+    static bool menu_is_open();
     bool letters_are_text() const;
     void press_key(int key, int mods);
     void press_escape();
@@ -95,6 +96,7 @@ class Application final : private InputListener {
     int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
     std::uint64_t frames_shown_ = 0;
     float scale_ = 0, pixels_per_point_ = 0;
+    std::size_t letters_ = 0;    ///< that fonts were made for
     Theme theme_ = Theme::light; ///< applied
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -56,22 +56,6 @@ void toggle_split(Ui& ui) {
     ui.session.changed();
 }
 
-void hide_selected(Ui& ui) {
-    if (!ui.session.selected) return;
-    HiddenParts hidden = ui.session.settings.shown.hidden;
-    hidden.insert(*ui.session.selected);
-    ui.session.hide_parts(std::move(hidden));
-}
-
-void isolate_selected(Ui& ui) {
-    if (ui.session.selected)
-        ui.session.hide_parts(ui.session.model()->parts.all_but(*ui.session.selected));
-}
-
-void frame_selected(Ui& ui) {
-    if (ui.session.selected) ui.session.frame_part(*ui.session.selected);
-}
-
 /// The last cut by a share of the model.
 void move_cut(Ui& ui, double share) {
     std::vector<Cut> cuts = ui.session.settings.shown.cuts;
@@ -117,10 +101,13 @@ constexpr std::array all{
     Command{"The camera before", GLFW_KEY_LEFT, alt, [](Ui& ui) { ui.session.camera_back(); }},
     Command{"The camera after", GLFW_KEY_RIGHT, alt, [](Ui& ui) { ui.session.camera_forward(); }},
 
-    Command{"Hide the selected part", GLFW_KEY_DELETE, 0, hide_selected},
-    Command{"Show the selected part alone", GLFW_KEY_I, 0, isolate_selected},
-    Command{"Frame the selected part", GLFW_KEY_F, shift, frame_selected},
-    Command{"Show all parts", GLFW_KEY_U, 0, [](Ui& ui) { ui.session.hide_parts({}); }},
+    Command{"Hide what is selected", GLFW_KEY_DELETE, 0,
+            [](Ui& ui) { ui.session.hide_selected(); }},
+    Command{"Show what is selected alone", GLFW_KEY_I, 0,
+            [](Ui& ui) { ui.session.isolate_selected(); }},
+    Command{"Frame what is selected", GLFW_KEY_F, shift,
+            [](Ui& ui) { ui.session.frame_selected(); }},
+    Command{"Show all parts", GLFW_KEY_U, 0, [](Ui& ui) { ui.session.show_parts({}); }},
     Command{"Add a section", GLFW_KEY_C, 0, [](Ui& ui) { ui.session.add_cut(); }},
     Command{"Move the last section ahead", GLFW_KEY_RIGHT_BRACKET, 0,
             [](Ui& ui) { move_cut(ui, 0.01); }},

@@ -29,7 +29,7 @@ void Application::on_key(int key, int scancode, int action, int mods) {
         mouse_.key(key, false);
         return;
     }
-    const bool of_panel = key == GLFW_KEY_ESCAPE && ui_.panel != Panel::none;
+    const bool of_panel = key == GLFW_KEY_ESCAPE && ui_.panel != Panel::none && !menu_is_open();
     if (of_panel) return press_escape();
     if (action != GLFW_PRESS || (letters_are_text() && !is_for_all(key, mods))) return;
     press_key(key, mods);
@@ -60,6 +60,7 @@ void Application::press_escape() {
 
 void Application::on_character(unsigned code) {
     show_soon();
+    if (code > last_usual_letter) ui_.letters.insert(code);
     ImGui_ImplGlfw_CharCallback(window_.handle(), code);
 }
 

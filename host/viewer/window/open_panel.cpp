@@ -69,7 +69,7 @@ void take(Ui& ui, const fs::path& path) {
 bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
     const bool recent = row.kind == Row::Kind::recent;
     const std::string id = row.name + "##" + (recent ? "recent" : "") + row.path.string();
-    const bool clicked = ImGui::Selectable(id.c_str(), chosen);
+    const bool clicked = ImGui::Selectable(shown(ui, id), chosen);
     ui.spots.note((recent ? "recent:" : "entry:") + row.name);
     if (chosen && scrolls_here) ImGui::SetScrollHereY();
     if (!recent) return clicked;
@@ -132,7 +132,7 @@ void draw_open_panel(Ui& ui, Area canvas) {
         search_field(ui, ui.open.search, "open.search", "Type a name or a path");
     const Typed typed = typed_in(ui.open);
     list(ui.open, typed.folder);
-    ImGui::TextDisabled("%s", typed.folder.c_str());
+    ImGui::TextDisabled("%s", shown(ui, typed.folder.string()));
     const std::vector<Row> rows = rows_of(ui, typed);
     const bool moved = move_choice(ui.open.search, rows.size());
     ImGui::BeginChild("entries",

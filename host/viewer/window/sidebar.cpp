@@ -22,7 +22,7 @@ std::string with_thousands(std::uint64_t number) {
 void model_section(Ui& ui) {
     Session& session = ui.session;
     const Model* model = session.model();
-    heading(ui, model == nullptr ? "Open a model" : model->source.name().c_str());
+    heading(ui, model == nullptr ? "No model" : shown(ui, model->source.name()));
     if (model != nullptr) {
         ImGui::TextDisabled("%s triangles, %s edges",
                             with_thousands(model->lines.triangles.size()).c_str(),

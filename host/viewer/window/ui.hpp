@@ -79,6 +79,7 @@ struct ExportState {
 struct Ui {
     Session& session;
     Spots spots{};
+    Letters letters{}; ///< that texts have beyond the usual ones
     ImFont* bold = nullptr;
     float scale = 1; ///< of letters and spacing
     Theme theme = Theme::light;
@@ -89,13 +90,15 @@ struct Ui {
     SearchState palette{};
     OpenState open{};
     ExportState exporting{};
-    bool quit = false;                      ///< the window is to be closed
-    bool keyboard_to_sidebar = false;       ///< arrows and Enter are for its items from now on
-    bool kernels = false;                   ///< in the panel of timings, in place of stages
-    std::string part_search{};              ///< what is being typed
-    std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
-    int record_frames = 120;                ///< of a recording
-    std::string folder = ".";               ///< where files are saved
+    bool quit = false;                       ///< the window is to be closed
+    bool keyboard_to_sidebar = false;        ///< arrows and Enter are for its items from now on
+    bool kernels = false;                    ///< in the panel of timings, in place of stages
+    std::string part_search{};               ///< what is being typed
+    std::set<std::uint32_t> folded_parts{};  ///< those in them are not listed
+    std::uint32_t part_anchor = Parts::none; ///< where a row of selected parts begins
+    bool opens_menu = false;                 ///< the menu of parts, where the mouse is
+    int record_frames = 120;                 ///< of a recording
+    std::string folder = ".";                ///< where files are saved
     /// Work during which the window can't answer: it is done after a frame that says so.
     std::optional<std::pair<std::string, std::function<void()>>> later{};
 
@@ -114,6 +117,8 @@ float sidebar_width(const Ui& ui);
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
 void draw_parts_section(Ui& ui);
+/// What can be done with what is selected.
+void draw_parts_menu(Ui& ui);
 void draw_sections_section(Ui& ui);
 void draw_style_section(Ui& ui);
 void draw_lines_section(Ui& ui);
@@ -121,7 +126,7 @@ void draw_views_section(Ui& ui);
 void draw_device_section(Ui& ui);
 /// Where cuts lie, with handles to drag.
 void draw_cuts(Ui& ui, Area canvas);
-void draw_distances(const Ui& ui, Area canvas);
+void draw_distances(Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
