@@ -19,6 +19,7 @@ class Canvas {
 
     void clear(glm::vec4 color);
     GLuint framebuffer() const { return framebuffer_.id(); }
+    GLuint texture() const { return texture_.id(); } ///< its pixels, the lowest row first
     glm::ivec2 size() const { return size_; }
     int bits() const { return bits_; }
     /// Pixels from the top left, 4 values each; with 16 bits in native order.

@@ -154,19 +154,25 @@ void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const
 
 View ViewOptions::scaled(const View& view, double millimetres, glm::ivec2 size,
                          std::span<const glm::vec3> points, std::optional<double> of_file) const {
-    const double scale = parse_scale("--scale", scale_);
-    const double length = unit(of_file);
+    const bool placed = !eye_.empty() || !target_.empty();
+    if (placed) points = {};
+    return view_to_scale(view, scale_, unit(of_file), millimetres, size, points);
+}
+
+View view_to_scale(const View& view, const std::string& scale, double unit, double millimetres,
+                   glm::ivec2 size, std::span<const glm::vec3> points) {
+    const double factor = parse_scale("--scale", scale);
     const glm::dvec2 paper = millimetres * glm::dvec2{size};
-    const glm::dvec2 needed = 2 * length * half_extent(view, points); // millimetres at 1:1
+    const glm::dvec2 needed = 2 * unit * half_extent(view, points); // millimetres at 1:1
     const double largest = std::min(paper.x / needed.x, paper.y / needed.y);
-    if (eye_.empty() && target_.empty() && scale > largest * (1 + 1e-6)) {
+    if (factor > largest * (1 + 1e-6)) {
         const std::string fits = standard_scale(largest);
         throw UsageError(fmt::format("--scale {}: the model takes {:.4g} x {:.4g} mm and the "
                                      "picture has {:.4g} x {:.4g} mm on paper{}",
-                                     scale_, scale * needed.x, scale * needed.y, paper.x, paper.y,
+                                     scale, factor * needed.x, factor * needed.y, paper.x, paper.y,
                                      fits.empty() ? "" : "; " + fits + " fits"));
     }
-    return with_shown_height(view, static_cast<float>(paper.y / (scale * length)));
+    return with_shown_height(view, static_cast<float>(paper.y / (factor * unit)));
 }
 
 } // namespace lineatlas

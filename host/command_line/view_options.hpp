@@ -56,4 +56,10 @@ class ViewOptions {
     float fov_ = 40;
 };
 
+/// An orthographic view at a scale, as in "1:2": a unit of the model is `unit` millimetres long, a
+/// pixel of the picture `millimetres` on paper. Throws UsageError that names a scale which fits
+/// where some of the `points` would be outside of the picture.
+View view_to_scale(const View& view, const std::string& scale, double unit, double millimetres,
+                   glm::ivec2 size, std::span<const glm::vec3> points);
+
 } // namespace lineatlas

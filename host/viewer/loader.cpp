@@ -73,8 +73,8 @@ std::shared_ptr<Model> showing(const Model& model, const Shown& shown) {
     result->parts = model.parts;
     result->shown = shown;
     result->mesh = model.whole;
-    if (!shown.hidden.empty())
-        result->mesh = std::make_shared<const Mesh>(model.parts.shown(*model.whole, shown.hidden));
+    if (shown.parts != ShownParts{})
+        result->mesh = std::make_shared<const Mesh>(model.parts.shown(*model.whole, shown.parts));
     if (std::ranges::any_of(shown.cuts, &Cut::on)) {
         CutMesh cut = apply_cuts(*result->mesh, shown.cuts, model.origin);
         result->mesh = std::make_shared<const Mesh>(std::move(cut.mesh));

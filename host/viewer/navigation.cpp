@@ -65,6 +65,15 @@ glm::dvec3 direction_of(const View& view) {
     return glm::normalize(glm::dvec3{view.eye} - glm::dvec3{view.target});
 }
 
+/// Of a point from which one goes away. Steps are shares of the distance: between near walls, as of
+/// a room or right behind one, there would be no way out.
+glm::dvec3 no_nearer_than_target(const View& view, glm::dvec3 point) {
+    const glm::dvec3 eye = view.eye, way = point - eye;
+    const double distance = glm::length(way), least = distance_of(view);
+    if (view.projection == Projection::orthographic || distance >= least) return point;
+    return distance > 0 ? eye + way * (least / distance) : glm::dvec3{view.target};
+}
+
 /// Between two views: the target goes straight, the eye turns about it without rolling.
 View between(const View& from, const View& to, double share) {
     const Horizon horizon{to.up};
@@ -213,6 +222,7 @@ void Navigation::pan(glm::dvec3 held, glm::dvec2 from, glm::dvec2 to, glm::dvec2
 
 void Navigation::dolly(glm::dvec3 to, double factor) {
     glide_.reset();
+    if (factor > 1) to = no_nearer_than_target(view_, to);
     const glm::dvec3 sight = glm::dvec3{view_.target} - glm::dvec3{view_.eye};
     view_.eye = to + factor * (glm::dvec3{view_.eye} - to);
     view_.target = glm::dvec3{view_.eye} + factor * sight;

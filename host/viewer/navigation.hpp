@@ -56,6 +56,7 @@ class Navigation {
     /// Moves so that what is seen at `from` in the distance of `held` is seen at `to`.
     void pan(glm::dvec3 held, glm::dvec2 from, glm::dvec2 to, glm::dvec2 size);
     /// Goes to a point until its distance is `factor` of what it was; it stays where it is seen.
+    /// Away from it (above 1) by no less than if it were as far as the target.
     void dolly(glm::dvec3 to, double factor);
     /// Moves by distances to the right, upwards and ahead.
     void fly(glm::dvec3 way);

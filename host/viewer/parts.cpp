@@ -13,7 +13,7 @@ namespace {
 
 /// What is shown of a part that the file gives no name.
 constexpr const char* unnamed = "(no name)";
-/// What ends the pattern of a part that holds others.
+/// What may end the pattern of a part that holds others.
 constexpr std::string_view all_within = "/*";
 
 /// Each part followed by those in it.
@@ -100,39 +100,37 @@ bool Parts::is_in(std::uint32_t part, std::uint32_t whole) const {
     return part == whole;
 }
 
-bool Parts::is_hidden(std::uint32_t part, const HiddenParts& hidden) const {
+bool Parts::is_among(std::uint32_t part, const PartNumbers& parts) const {
     for (; part != none; part = all_[part].parent)
-        if (hidden.contains(part)) return true;
+        if (parts.contains(part)) return true;
     return false;
 }
 
-HiddenParts Parts::all_but(std::uint32_t part) const {
-    HiddenParts hidden;
-    for (std::uint32_t other = 0; other < all_.size(); ++other) {
-        const bool apart = !is_in(other, part) && !is_in(part, other);
-        if (apart && !is_hidden(other, hidden)) hidden.insert(other);
-    }
-    return hidden;
-}
-
-std::vector<bool> Parts::shown_paths(const HiddenParts& hidden) const {
-    std::vector<bool> shown;
-    for (const std::uint32_t part : part_of_path_)
-        shown.push_back(part == none || !is_hidden(part, hidden));
+ShownParts Parts::alone(const PartNumbers& parts, const ShownParts& before) const {
+    ShownParts shown{.only = parts};
+    for (const std::uint32_t hidden : before.hidden)
+        if (is_among(hidden, parts) && !parts.contains(hidden)) shown.hidden.insert(hidden);
     return shown;
 }
 
-Mesh Parts::shown(const Mesh& mesh, const HiddenParts& hidden) const {
+std::vector<bool> Parts::shown_paths(const ShownParts& shown) const {
+    std::vector<bool> paths;
+    for (const std::uint32_t part : part_of_path_)
+        paths.push_back(part == none ? shown.only.empty() : is_shown(part, shown));
+    return paths;
+}
+
+Mesh Parts::shown(const Mesh& mesh, const ShownParts& shown) const {
     Mesh result = mesh;
-    if (!all_.empty() && !hidden.empty()) keep_parts(result, paths_, shown_paths(hidden), true);
+    if (!all_.empty() && shown != ShownParts{})
+        keep_parts(result, paths_, shown_paths(shown), shown.only.empty());
     return result;
 }
 
-std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
-                                         const HiddenParts& hidden,
+std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray, const ShownParts& parts,
                                          std::span<const SectionPlane> planes) const {
     if (all_.empty()) return {};
-    const std::vector<bool> shown = shown_paths(hidden);
+    const std::vector<bool> shown = shown_paths(parts);
     const auto hit = first_hit(ray, mesh.positions, mesh.triangles, [&](const RayHit& at) {
         return shown[paths_.of_triangle[at.triangle]] && !is_cut_away(ray.at(at.distance), planes);
     });
@@ -142,12 +140,12 @@ std::optional<std::uint32_t> Parts::pick(const Mesh& mesh, const Ray& ray,
 }
 
 std::string Parts::pattern_of(std::uint32_t part) const {
-    return literal_pattern(path_of(part)) + std::string{all_[part].holds_others ? all_within : ""};
+    return literal_pattern(path_of(part));
 }
 
-HiddenParts Parts::matching(std::span<const std::string> patterns,
+PartNumbers Parts::matching(std::span<const std::string> patterns,
                             std::vector<std::string>& unknown) const {
-    HiddenParts found;
+    PartNumbers found;
     for (std::string pattern : patterns) {
         const std::string given = pattern;
         // The part itself is meant before what is in it.
@@ -156,7 +154,7 @@ HiddenParts Parts::matching(std::span<const std::string> patterns,
         for (std::uint32_t part = 0; part < all_.size(); ++part) {
             if (!matches(pattern, path_of(part)) && !matches(pattern, all_[part].name)) continue;
             any = true;
-            if (!is_hidden(part, found)) found.insert(part);
+            if (!is_among(part, found)) found.insert(part);
         }
         if (!any) unknown.push_back(given);
     }

@@ -13,8 +13,16 @@
 
 namespace lineatlas::viewer {
 
-/// Numbers of parts that are not shown; what is in them isn't either.
-using HiddenParts = std::set<std::uint32_t>;
+/// Numbers of parts; what is in them is meant, too.
+using PartNumbers = std::set<std::uint32_t>;
+
+/// Which parts are shown.
+struct ShownParts {
+    PartNumbers hidden{}; ///< of what is shown otherwise
+    PartNumbers only{};   ///< nothing else is shown; empty: all
+
+    bool operator==(const ShownParts&) const = default;
+};
 
 /// A pattern that means a name's letters alone.
 std::string literal_pattern(const std::string& name);
@@ -38,27 +46,30 @@ class Parts {
     const std::vector<Part>& all() const { return all_; }
     /// The names of a part and of what it is in, as in `lineatlas draw --hide`.
     std::string path_of(std::uint32_t part) const;
-    bool is_hidden(std::uint32_t part, const HiddenParts& hidden) const;
+    /// Whether a part is one of these, or in one of them.
+    bool is_among(std::uint32_t part, const PartNumbers& parts) const;
+    bool is_shown(std::uint32_t part, const ShownParts& shown) const {
+        return (shown.only.empty() || is_among(part, shown.only)) && !is_among(part, shown.hidden);
+    }
     /// MeshGroup::object of its triangles, each once: what rules for pens name.
     std::vector<std::string> objects_of(std::uint32_t part) const;
-    /// What hides all but the part.
-    HiddenParts all_but(std::uint32_t part) const;
-    /// The mesh without hidden parts, its positions as they are.
-    Mesh shown(const Mesh& mesh, const HiddenParts& hidden) const;
-    /// The part whose triangle the ray meets first, of what is neither hidden nor taken away by
-    /// planes.
-    std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray, const HiddenParts& hidden,
+    /// What shows these parts and nothing else. Of what was hidden, what is in them stays so.
+    ShownParts alone(const PartNumbers& parts, const ShownParts& before) const;
+    /// The mesh without parts that are not shown, its positions as they are.
+    Mesh shown(const Mesh& mesh, const ShownParts& shown) const;
+    /// The part whose triangle the ray meets first, of what is shown and not taken away by planes.
+    std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray, const ShownParts& shown,
                                       std::span<const SectionPlane> planes) const;
 
     /// A part as `lineatlas draw --hide` has it: a pattern that means it and what is in it.
     std::string pattern_of(std::uint32_t part) const;
     /// The parts that patterns mean; those that mean none are added to `unknown`.
-    HiddenParts matching(std::span<const std::string> patterns,
+    PartNumbers matching(std::span<const std::string> patterns,
                          std::vector<std::string>& unknown) const;
 
   private:
     bool is_in(std::uint32_t part, std::uint32_t whole) const;
-    std::vector<bool> shown_paths(const HiddenParts& hidden) const;
+    std::vector<bool> shown_paths(const ShownParts& shown) const;
 
     std::vector<Part> all_;
     PartPaths paths_;

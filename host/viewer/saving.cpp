@@ -36,6 +36,14 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     VectorFrame frame;
     frame.style = picture.options.style;
     frame.paths.mesh = picture.model.mesh.get();
+    frame.paths.plotter = picture.plotter;
+    frame.svg.fit_arcs = picture.fit_arcs;
+    frame.svg.background = !picture.plotter;
+    if (picture.paper) {
+        frame.svg.page = parse_page(picture.paper->page);
+        frame.svg.margin = {static_cast<double>(picture.paper->margin), Unit::mm};
+        frame.svg.units = Unit::mm;
+    }
     frame.svg.title = picture.model.source.stem();
     frame.json.origin = picture.model.origin;
     frame.description = command_of(picture);
@@ -53,6 +61,7 @@ void save_pixels(const SavedPicture& picture, const Camera& camera,
     check_image_path(path);
     ImageSettings settings;
     settings.description = command_of(picture);
+    settings.dpi = picture.dpi;
     PictureOutput output{
         {.size = picture.size, .options = picture.options, .settings = settings}, renderer, writer};
     output.draw(camera, path);
@@ -71,12 +80,20 @@ std::string command_of(const SavedPicture& picture) {
                         name_of(options.method), options.probes, options.depth_scale, options.step,
                         picture.size.x, picture.size.y);
     const Model& model = picture.model;
-    for (const std::uint32_t part : model.shown.hidden)
+    for (const std::uint32_t part : model.shown.parts.only)
+        text += " --only " + word(model.parts.pattern_of(part));
+    for (const std::uint32_t part : model.shown.parts.hidden)
         text += " --hide " + word(model.parts.pattern_of(part));
     for (const SectionPlane& plane : model.planes) text += " --section " + word(plane.name);
     if (model.shown.crease) text += fmt::format(" --crease {}", *model.shown.crease);
     if (model.shown.silhouettes) text += " --silhouettes " + word_of(*model.shown.silhouettes);
     if (options.lines != all_line_kinds) text += " --lines " + line_kinds_to_text(options.lines);
+    if (picture.paper)
+        text +=
+            fmt::format(" --page {} --margin {:g}mm", picture.paper->page, picture.paper->margin);
+    if (picture.plotter) text += " --plotter --transparent";
+    if (picture.fit_arcs) text += " --fit-arcs";
+    if (picture.dpi > 0) text += fmt::format(" --dpi {:g}", picture.dpi);
     return text + style_arguments(options.style);
 }
 

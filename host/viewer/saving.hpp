@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "io/image_writer.hpp"
@@ -15,6 +16,15 @@ struct SavedPicture {
     View view;
     glm::ivec2 size;
     FrameOptions options;
+    /// The page that paths fill, as --page and --margin say.
+    struct Paper {
+        std::string page{};
+        float margin = 0; ///< millimetres
+    };
+    std::optional<Paper> paper{};
+    bool plotter = false;  ///< paths in the order of a pen, on no paper of their own
+    bool fit_arcs = false; ///< of paths
+    float dpi = 0;         ///< of pixels; 0: not said
 };
 
 /// As pixels or paths, by extension. Throws Error.

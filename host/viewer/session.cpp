@@ -208,7 +208,7 @@ void Session::show(std::shared_ptr<Model> model) {
     if (new_parts) {
         for (const std::filesystem::path& file : model_->source.files) recent.add(file);
         read_times_ = write_times_of(model_->source.files);
-        selected.reset();
+        selected.clear();
         refine_seconds_ = unknown_seconds;
         pace_ = {};
         settings.shown = model_->shown;
@@ -279,6 +279,7 @@ void Session::take(const Settings* step) {
     attempt([&] { load_pens(step->style); });
     settings = *step;
     stale_ = true;
+    ++revision_;
 }
 
 void Session::glide_to(const View* step) {
@@ -313,12 +314,12 @@ Camera Session::camera() const {
     return make_camera(navigation.view(), size_, model_->lines.bounds);
 }
 
-bool Session::save_picture(const std::filesystem::path& path, int scale) {
+bool Session::save_picture(const std::filesystem::path& path) {
     if (model_ == nullptr) return false;
     return attempt([&] {
         save({.model = *model_,
               .view = navigation.goal(),
-              .size = size_ * scale,
+              .size = size_,
               .options = still_options(settings)},
              path, *renderer_, writer_);
         messages.notice("Saved " + path.string());

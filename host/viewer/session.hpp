@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "economy.hpp"
+#include "exporting.hpp"
 #include "files.hpp"
 #include "glpasses/canvas.hpp"
 #include "history.hpp"
@@ -62,8 +63,8 @@ class Session {
     const Model* model() const { return model_.get(); }
     glm::dvec3 origin() const; ///< of what is shown, in the file's coordinates
 
-    /// What is hidden from now on; refused where nothing would be left.
-    void hide_parts(HiddenParts hidden);
+    /// Which parts are shown from now on; refused where nothing would be left.
+    void show_parts(ShownParts shown);
     /// What is cut from now on.
     void set_cuts(std::vector<Cut> cuts);
     /// A new cut across the middle of the model, that takes what lies before it; refused where
@@ -82,8 +83,13 @@ class Session {
     void cancel_loading();
     /// The part that is seen at a point of the canvas.
     std::optional<std::uint32_t> part_at(glm::dvec2 point) const;
-    void frame_part(std::uint32_t part);
-    std::optional<std::uint32_t> selected{}; ///< part
+    PartNumbers selected{};
+    /// The part in place of those that are selected, or, if it `adds`, beside them; one that is
+    /// selected already is no more then.
+    void select(std::optional<std::uint32_t> part, bool adds = false);
+    void hide_selected();
+    void isolate_selected(); ///< they are shown alone
+    void frame_selected();
 
     /// Takes `settings` as a step of their own, and a camera at rest as one of its. Cheap where
     /// nothing has changed.
@@ -117,7 +123,21 @@ class Session {
     std::string length_text(double length) const;
 
     /// Files at `path`; a type of picture or paths by its extension. False if that failed.
-    bool save_picture(const std::filesystem::path& path, int scale = 1);
+    bool save_picture(const std::filesystem::path& path);
+    /// The same as a drawing for paper, a plotter or a laser, or a sheet of several views.
+    bool export_to(const std::filesystem::path& path, const ExportOptions& options);
+    /// The page that export_to() would write, with its views as pictures, or why there is none.
+    struct Preview {
+        ExportPage page{};
+        std::vector<std::unique_ptr<gl::Canvas>> pictures{}; ///< of its views
+        std::string problem{};
+    };
+    /// As it was drawn last for the options that are wanted; `pixels`: of the page's longer side.
+    /// It is drawn anew by draw_preview() where preview_due() says so.
+    const Preview& preview(const ExportOptions& options, int pixels);
+    const std::string& preview_problem() const { return preview_.problem; }
+    bool preview_due() const;
+    void draw_preview();
     bool save_style(const std::filesystem::path& path);
     bool save_camera(const std::filesystem::path& path);
     /// What `timings` keeps, as Trace Event Format.
@@ -147,7 +167,10 @@ class Session {
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
     /// Something but the camera has changed.
-    void changed() { stale_ = step_due_ = true; }
+    void changed() {
+        stale_ = step_due_ = true;
+        ++revision_;
+    }
     /// Shows a model that has been loaded, and moves glides and notices on by `seconds`.
     void advance(double seconds);
     /// Whether draw() has something to do.
@@ -233,6 +256,19 @@ class Session {
     Economy economy_ = Economy::none; ///< of the last picture
     Pace pace_;                       ///< of this model
     std::optional<Recording> recording_;
+    /// What a preview is of.
+    struct Previewed {
+        ExportOptions options{};
+        View view{};
+        glm::ivec2 window{0};
+        std::uint64_t revision = 0;
+        int pixels = 0;
+    };
+    static bool shows_same(const Previewed& a, const Previewed& b);
+    ExportedDrawing exported() const;
+    std::optional<Previewed> preview_wanted_, preview_drawn_;
+    Preview preview_;
+    std::uint64_t revision_ = 0; ///< of settings and model
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;

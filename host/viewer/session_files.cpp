@@ -37,6 +37,7 @@ void Session::open_session(const std::filesystem::path& file) {
         ShownInWords words;
         for (const SessionFile::Option& option : session.options) {
             if (option.key == "hide") words.hidden = option.values;
+            if (option.key == "only") words.only = option.values;
             if (option.key == "section")
                 for (const std::string& text : option.values) words.cuts.push_back({text, true});
             if (option.key == "crease" && option.values.front() != "auto")
@@ -67,8 +68,8 @@ void Session::take_session(const SessionFile& session) {
         const auto known = std::ranges::find(frame_settings(), option.key, &FrameSetting::key);
         if (known != frame_settings().end())
             known->set(frame, value_from_text(option.values.front()));
-        else if (option.key != "size" && option.key != "hide" && option.key != "section" &&
-                 option.key != "crease" && option.key != "silhouettes")
+        else if (option.key != "size" && option.key != "hide" && option.key != "only" &&
+                 option.key != "section" && option.key != "crease" && option.key != "silhouettes")
             unknown.push_back(option.key);
     }
     const FrameOptions options = frame.for_sequence();
@@ -101,6 +102,7 @@ SessionFile Session::session_file() const {
     for (const ShownInWords::Plane& cut : words.cuts)
         (cut.on ? cuts : session.sections_off).push_back(cut.text);
     if (!words.hidden.empty()) session.options.push_back({"hide", words.hidden});
+    if (!words.only.empty()) session.options.push_back({"only", words.only});
     if (!cuts.empty()) session.options.push_back({"section", std::move(cuts)});
     if (words.crease) session.options.push_back({"crease", {fmt::format("{}", *words.crease)}});
     if (words.silhouettes)

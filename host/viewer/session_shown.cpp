@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "session.hpp"
@@ -11,12 +12,27 @@
 
 namespace lineatlas::viewer {
 
-void Session::hide_parts(HiddenParts hidden) {
-    if (model_ == nullptr || hidden == settings.shown.hidden) return;
-    if (model_->parts.shown(*model_->whole, hidden).empty())
+void Session::show_parts(ShownParts shown) {
+    if (model_ == nullptr || shown == settings.shown.parts) return;
+    if (model_->parts.shown(*model_->whole, shown).empty())
         return messages.notice("Nothing would be left to see");
-    settings.shown.hidden = std::move(hidden);
+    settings.shown.parts = std::move(shown);
     changed();
+}
+
+void Session::hide_selected() {
+    ShownParts shown = settings.shown.parts;
+    shown.hidden.insert(selected.begin(), selected.end());
+    show_parts(std::move(shown));
+}
+
+void Session::isolate_selected() {
+    if (!selected.empty()) show_parts(model_->parts.alone(selected, settings.shown.parts));
+}
+
+void Session::select(std::optional<std::uint32_t> part, bool adds) {
+    if (!adds) selected.clear();
+    if (part && selected.erase(*part) == 0) selected.insert(*part);
 }
 
 void Session::set_cuts(std::vector<Cut> cuts) {
@@ -91,8 +107,10 @@ void Session::set_silhouettes(Silhouettes silhouettes) {
 
 ShownInWords Session::in_words() const {
     ShownInWords words{.crease = settings.shown.crease, .silhouettes = settings.shown.silhouettes};
-    for (const std::uint32_t part : settings.shown.hidden)
+    for (const std::uint32_t part : settings.shown.parts.hidden)
         words.hidden.push_back(model_->parts.pattern_of(part));
+    for (const std::uint32_t part : settings.shown.parts.only)
+        words.only.push_back(model_->parts.pattern_of(part));
     for (const Cut& cut : settings.shown.cuts) words.cuts.push_back({text_of(cut), cut.on});
     return words;
 }
@@ -103,8 +121,9 @@ void Session::take_words(const ShownInWords& words) {
     shown.crease = words.crease;
     shown.silhouettes = words.silhouettes;
     std::vector<std::string> unknown;
-    HiddenParts hidden = model_->parts.matching(words.hidden, unknown);
-    if (!model_->parts.shown(*model_->whole, hidden).empty()) shown.hidden = std::move(hidden);
+    ShownParts parts{.hidden = model_->parts.matching(words.hidden, unknown),
+                     .only = model_->parts.matching(words.only, unknown)};
+    if (!model_->parts.shown(*model_->whole, parts).empty()) shown.parts = std::move(parts);
     if (!unknown.empty()) messages.notice("No part is called \"" + unknown.front() + "\" any more");
     for (const ShownInWords::Plane& plane : words.cuts) {
         attempt([&] {
@@ -123,12 +142,16 @@ void Session::cancel_loading() {
 std::optional<std::uint32_t> Session::part_at(glm::dvec2 point) const {
     if (model_ == nullptr) return {};
     return model_->parts.pick(*model_->whole, ray_at(navigation.view(), point, size_),
-                              model_->shown.hidden, model_->planes);
+                              model_->shown.parts, model_->planes);
 }
 
-void Session::frame_part(std::uint32_t part) {
-    const Bounds& bounds = model_->parts.all().at(part).bounds;
-    if (!(bounds.min.x <= bounds.max.x)) return; // it has lines alone
+void Session::frame_selected() {
+    Bounds bounds;
+    for (const std::uint32_t part : selected) {
+        const Bounds& own = model_->parts.all().at(part).bounds;
+        bounds = {glm::min(bounds.min, own.min), glm::max(bounds.max, own.max)};
+    }
+    if (!(bounds.min.x <= bounds.max.x)) return; // lines alone, or nothing
     std::array<glm::vec3, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         corners.at(i) = {(i & 1U) != 0 ? bounds.max.x : bounds.min.x,

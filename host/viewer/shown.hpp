@@ -12,7 +12,7 @@ namespace lineatlas::viewer {
 
 /// What of a model is shown, and which of its edges are lines: what lines are found anew for.
 struct Shown {
-    HiddenParts hidden{};          ///< parts
+    ShownParts parts{};
     std::vector<Cut> cuts{};       ///< at most `most_sections`
     std::optional<float> crease{}; ///< LineOptions::crease in degrees
     /// LineOptions::silhouettes; none: as the tool has them.
@@ -33,6 +33,7 @@ struct ShownInWords {
         bool on = true;
     };
     std::vector<std::string> hidden{}; ///< as --hide has them
+    std::vector<std::string> only{};   ///< as --only has them
     std::vector<Plane> cuts{};
     std::optional<float> crease{};
     std::optional<Silhouettes> silhouettes{};

@@ -32,7 +32,7 @@ class ViewerDriver {
     /// Frames that only show what there is, and take little time.
     void panel_frames(int count) {
         for (int i = 0; i < count; ++i) {
-            app_.on_refresh();
+            app_.input().on_refresh();
             app_.step(0);
         }
     }
@@ -58,24 +58,24 @@ class ViewerDriver {
         release(code);
         rest();
     }
-    void press(int code, int mods = 0) { app_.on_key(code, 0, GLFW_PRESS, mods); }
-    void release(int code) { app_.on_key(code, 0, GLFW_RELEASE, 0); }
+    void press(int code, int mods = 0) { app_.input().on_key(code, 0, GLFW_PRESS, mods); }
+    void release(int code) { app_.input().on_key(code, 0, GLFW_RELEASE, 0); }
     void move(glm::dvec2 place) {
-        app_.on_mouse_move(place);
+        app_.input().on_mouse_move(place);
         rest();
     }
     void drag(int button, glm::dvec2 from, glm::dvec2 to, int mods = 0) {
         move(from);
-        app_.on_mouse_button(button, GLFW_PRESS, mods);
+        app_.input().on_mouse_button(button, GLFW_PRESS, mods);
         rest();
         move(0.5 * (from + to));
         move(to);
-        app_.on_mouse_button(button, GLFW_RELEASE, mods);
+        app_.input().on_mouse_button(button, GLFW_RELEASE, mods);
         rest();
     }
     void scroll(double clicks, glm::dvec2 place) {
         move(place);
-        app_.on_scroll({0, clicks});
+        app_.input().on_scroll({0, clicks});
         rest();
     }
     glm::dvec2 middle_of(const std::string& spot) {
@@ -90,7 +90,7 @@ class ViewerDriver {
         const double x = app_.window().points().x - 100;
         for (int i = 0; i < 100; ++i) {
             const glm::dvec2 place = middle_of(spot);
-            const bool footer = spot.starts_with("save.") || spot == "folder";
+            const bool footer = spot == "export" || spot == "save.session";
             if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
                 return;
             scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
@@ -113,12 +113,18 @@ class ViewerDriver {
     }
     void type(const std::string& text) {
         for (const char letter : text) {
-            app_.on_character(static_cast<unsigned char>(letter));
+            app_.input().on_character(static_cast<unsigned char>(letter));
             panel_frames(2);
         }
     }
+    /// Saves as the command of that kind does.
+    void save(viewer::SavedKind kind) {
+        viewer::save_as(app_.ui(), kind);
+        panel_frames(1);
+        rest();
+    }
     void drop(const std::filesystem::path& file) {
-        app_.on_drop({file});
+        app_.input().on_drop({file});
         rest();
     }
 

@@ -18,7 +18,7 @@ class ViewerFiles : public Viewer {
     void drop(const std::vector<std::string>& names) {
         std::vector<std::filesystem::path> files;
         for (const std::string& name : names) files.emplace_back(path(name));
-        app_.on_drop(files);
+        app_.input().on_drop(files);
         hand_.rest();
     }
     std::vector<std::string> parts() {
@@ -55,7 +55,7 @@ TEST_F(ViewerFiles, AreAddedAndWhatIsHiddenStaysSo) {
     drop({"right.obj"});
     EXPECT_EQ(error(), "");
     EXPECT_EQ(triangles(), 24U);
-    EXPECT_EQ(session().model()->shown.hidden.size(), 1U);
+    EXPECT_EQ(session().model()->shown.parts.hidden.size(), 1U);
     const glm::dvec2 size = session().size();
     const auto seen = viewer::seen_at(session().navigation.view(), {3, 1, 1}, session().size());
     ASSERT_TRUE(seen);
@@ -74,7 +74,7 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     ASSERT_EQ(error(), "");
     EXPECT_NE(text_of(path("left.session.toml")).find("[\"left.obj\", \"right.obj\"]"),
               std::string::npos);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("left.session.toml") +
                                 " -o " + path("tool.svg");
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
@@ -86,7 +86,7 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     std::ofstream{path("right.obj")} << box("Bolt", {2, 0, 0}, 1) + box("Nut", {2, 3, 0}, 9);
     hand_.key(GLFW_KEY_R, GLFW_MOD_CONTROL);
     EXPECT_EQ(triangles(), 36U);
-    EXPECT_EQ(session().model()->shown.hidden.size(), 1U);
+    EXPECT_EQ(session().model()->shown.parts.hidden.size(), 1U);
 }
 
 TEST_F(ViewerFiles, OneThatIsBrokenIsNamedAndNoneIsTaken) {

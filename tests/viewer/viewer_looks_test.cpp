@@ -48,9 +48,9 @@ class ViewerLooks : public testing::TestWithParam<Look> {
         const glm::vec2 window{app_.window().points()};
         const float border = window.x - viewer::sidebar_width(app_.ui());
         // What the footer begins with; what is scrolled lies above it.
-        const float footer = app_.ui().spots.find("save.session")->low.y;
+        const float footer = app_.ui().spots.find("export")->low.y;
         const auto in_sight = [&](const std::string& name, const viewer::Area& area) {
-            const bool of_footer = name.starts_with("save.") || name == "folder";
+            const bool of_footer = name == "export" || name == "save.session";
             const bool row = name.starts_with("part:") || name.starts_with("show:"); // scrolls
             const float high = area.low.y + area.size.y;
             return of_footer || (!row && area.low.y >= 0 && high < footer - 30 * GetParam().scale);

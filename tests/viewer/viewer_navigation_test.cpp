@@ -54,6 +54,25 @@ TEST(Navigation, SeesWhatTheCameraSees) {
                 {0.5 * size.x * (1 + ndc.x), 0.5 * size.y * (1 - ndc.y)});
 }
 
+TEST(Navigation, GoesAwayThroughNearWalls) {
+    Navigation navigation = at({0.5, 0, 5}, {0.5, 0, 0});
+    const glm::dvec3 wall{0.5003, 0.0001, 4.999}; // right before the eye, as after going through it
+    const glm::dvec2 before = seen(navigation, wall);
+    double gone = 0;
+    for (int click = 0; click < 8; ++click) {
+        const glm::dvec3 eye = navigation.view().eye;
+        navigation.dolly(wall, 1 / 0.88);
+        const double step = glm::distance(eye, glm::dvec3{navigation.view().eye});
+        EXPECT_GT(step, gone) << "faster and faster";
+        gone = step;
+        if (click == 0) expect_near(seen(navigation, wall), before, 0.1);
+    }
+    EXPECT_GT(navigation.view().eye.z, 10) << "8 clicks take the eye to three times the distance";
+    const glm::dvec3 eye = navigation.view().eye;
+    navigation.dolly(eye - glm::dvec3{0, 0, 0.01}, 0.88);
+    EXPECT_LT(glm::distance(eye, glm::dvec3{navigation.view().eye}), 0.01) << "nearer as before";
+}
+
 TEST(Navigation, OrbitLeavesThePivotWhereItIsSeen) {
     Navigation navigation = at({3, 2, 5});
     const glm::dvec3 pivot{0.7, 0.4, -0.2};

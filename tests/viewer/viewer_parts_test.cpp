@@ -25,8 +25,10 @@ class ViewerParts : public Viewer {
         hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place);
     }
     std::string selected() {
-        const auto part = session().selected;
-        return part ? session().model()->parts.path_of(*part) : "";
+        std::string names;
+        for (const std::uint32_t part : session().selected)
+            names += (names.empty() ? "" : ", ") + session().model()->parts.path_of(part);
+        return names;
     }
 };
 
@@ -77,7 +79,7 @@ TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {
     EXPECT_EQ(selected(), "Bolt M8");
     hand_.key(GLFW_KEY_1);
     hand_.key(GLFW_KEY_I);
-    EXPECT_EQ(session().settings.shown.hidden.size(), 1U);
+    EXPECT_EQ(session().settings.shown.parts.only.size(), 1U);
     click_at(0.35, "where nothing is any more");
     EXPECT_EQ(selected(), "");
     hand_.key(GLFW_KEY_U);
@@ -85,6 +87,93 @@ TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {
     hand_.key(GLFW_KEY_DELETE);
     click_at(0.65, "hidden");
     EXPECT_EQ(selected(), "");
+}
+
+/// An arm with a mesh of its own that holds a hand, both four triangles.
+std::string arm_with_hand() {
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"name": "Arm", "mesh": 0, "children": [1]},
+          {"name": "Hand", "mesh": 0, "translation": [3, 0, 0]}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+               "min": [0, 0, 0], "max": [1, 1, 1]},
+              {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+"bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+"buffers": [{"byteLength": 72, "uri": "data:application/octet-stream;base64,)"
+           "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"
+           "AAACAAEAAAABAAMAAAADAAIA"
+           "AQACAAMA\"}]}";
+}
+
+TEST_F(ViewerParts, AreShownAloneWithoutWhatTheyAreIn) {
+    std::ofstream{path("arm.gltf")} << arm_with_hand();
+    hand_.drop(path("arm.gltf"));
+    ASSERT_EQ(error(), "");
+    ASSERT_EQ(session().model()->mesh->triangles.size(), 8U);
+    hand_.click("part:Hand");
+    hand_.key(GLFW_KEY_I);
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 4U) << "the arm is hidden, too";
+    EXPECT_EQ(session().model()->lines.bounds.min.x, 3);
+    hand_.save(viewer::SavedKind::svg);
+    hand_.save(viewer::SavedKind::camera);
+    const std::string saved = text_of(path("arm.svg"));
+    EXPECT_NE(saved.find("--only Arm/Hand"), std::string::npos);
+    const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("arm.gltf") +
+                                " --only Arm/Hand --size 968x800 --camera-path " +
+                                path("arm.json") + " -o " + path("tool.%d.svg");
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const auto paths = [](const std::string& svg) { return svg.substr(svg.find("<path")); };
+    EXPECT_EQ(paths(saved), paths(text_of(path("tool.0.svg"))));
+
+    hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_U);
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 8U);
+    hand_.drop(path("arm.session.toml"));
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 4U) << "sessions keep it";
+    hand_.click("show:Arm");
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 8U) << "it comes to what is shown";
+}
+
+TEST_F(ViewerParts, SeveralAreSelected) {
+    click_at(0.35, "left");
+    const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right, GLFW_MOD_CONTROL);
+    EXPECT_EQ(selected(), "Base, Bolt M8");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right, GLFW_MOD_SHIFT);
+    EXPECT_EQ(selected(), "Base") << "once more is one less";
+    write(box("A", {0, 0, 0}, 1) + box("B", {3, 0, 0}, 9) + box("C", {6, 0, 0}, 17) +
+          box("D", {9, 0, 0}, 25));
+    hand_.drop(path("m.obj"));
+    hand_.click("part:B");
+    hand_.press(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
+    hand_.click("part:D");
+    hand_.release(GLFW_KEY_LEFT_SHIFT);
+    EXPECT_EQ(selected(), "B, C, D");
+    hand_.screenshot("several_selected");
+    hand_.key(GLFW_KEY_DELETE);
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 12U);
+}
+
+TEST_F(ViewerParts, HaveAMenu) {
+    const glm::dvec2 left{0.35 * session().size().x, 0.5 * session().size().y};
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, left, left);
+    EXPECT_EQ(selected(), "Base");
+    hand_.screenshot("menu");
+    hand_.click("menu:Hide");
+    EXPECT_EQ(session().settings.shown.parts.hidden.size(), 1U);
+    EXPECT_FALSE(hand_.has("menu:Hide")) << "it is gone";
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, left, left);
+    EXPECT_FALSE(hand_.has("menu:Hide")) << "there is nothing";
+    hand_.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(hand_.has("menu:Show all"));
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, left, left);
+    hand_.click("menu:Show all");
+    EXPECT_TRUE(session().settings.shown.parts.hidden.empty());
+    const View before = session().navigation.view();
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, left, left + glm::dvec2{40, 0});
+    EXPECT_FALSE(hand_.has("menu:Show all")) << "a drag looks around";
+    EXPECT_FALSE(viewer::same(session().navigation.view(), before));
 }
 
 TEST_F(ViewerParts, AreFramed) {
@@ -155,7 +244,8 @@ TEST_F(ViewerParts, AFileIsReadAgain) {
 
 TEST_F(ViewerParts, SavedPathsAreThoseOfTheToolThatHidesThem) {
     hand_.click("show:Bolt M8");
-    for (const char* button : {"save.svg", "save.camera"}) hand_.click(button);
+    hand_.save(viewer::SavedKind::svg);
+    hand_.save(viewer::SavedKind::camera);
     EXPECT_EQ(error(), "");
     const std::string saved = text_of(path("m.svg"));
     EXPECT_NE(saved.find("--hide 'Bolt M8'"), std::string::npos);

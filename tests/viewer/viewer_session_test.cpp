@@ -92,7 +92,7 @@ TEST_F(ViewerSession, ClicksPassThroughWhatIsCutAway) {
     hand_.click("section.0.X"); // what lies right of the middle is gone
     const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right);
-    EXPECT_FALSE(session().selected);
+    EXPECT_TRUE(session().selected.empty());
 }
 
 TEST_F(ViewerSession, SessionsAreSavedOpenedAndDrawnByTheTool) {
@@ -103,7 +103,7 @@ TEST_F(ViewerSession, SessionsAreSavedOpenedAndDrawnByTheTool) {
     hand_.key(GLFW_KEY_B);
     session().settings.exact_at_rest = true;
     hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     ASSERT_EQ(error(), "");
     const View saved = session().navigation.view();
     const viewer::Shown shown = session().settings.shown;
@@ -242,7 +242,7 @@ TEST_F(ViewerSession, SilhouettesFollowTheMeshOrTheSurface) {
     hand_.screenshot("silhouettes");
     hand_.key(GLFW_KEY_S, GLFW_MOD_CONTROL);
     EXPECT_NE(text_of(path("m.session.toml")).find("silhouettes = \"smooth\""), std::string::npos);
-    hand_.click("save.svg");
+    hand_.save(viewer::SavedKind::svg);
     EXPECT_NE(text_of(path("m.svg")).find("--silhouettes smooth"), std::string::npos);
     hand_.key(GLFW_KEY_Z, GLFW_MOD_CONTROL);
     EXPECT_FALSE(smooth());
@@ -290,6 +290,17 @@ TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
     EXPECT_EQ(picture(), sampled) << "two methods side by side are those that are named";
 }
 
+TEST_F(ViewerSession, ThePictureIsSaidToBecomeExactUntilItIs) {
+    hand_.open_scene("house");
+    session().settings.exact_at_rest = true;
+    session().changed();
+    hand_.rest();
+    EXPECT_TRUE(session().refined());
+    EXPECT_TRUE(hand_.has("status:Exact"));
+    for (const auto& [spot, area] : app_.ui().spots.all())
+        EXPECT_EQ(spot.find("becoming"), std::string::npos) << spot;
+}
+
 TEST_F(ViewerSession, WhatHappensMeanwhileKeepsAPictureFromBecomingExact) {
     hand_.open_scene("house");
     const auto sampled = picture();
@@ -317,7 +328,7 @@ TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     hand_.key(GLFW_KEY_R);
     click({-3, 1, 1});
     EXPECT_TRUE(session().measured_from());
-    EXPECT_FALSE(session().selected) << "no part is selected meanwhile";
+    EXPECT_TRUE(session().selected.empty()) << "no part is selected meanwhile";
     click({3, -1, 1});
     const auto& distances = session().settings.distances;
     ASSERT_EQ(distances.size(), 1U);

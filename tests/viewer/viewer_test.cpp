@@ -90,19 +90,20 @@ TEST_F(Viewer, SavesThePictureThatTheToolDraws) {
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, {300, 300}, {420, 350});
     hand_.choose("style", "technical");
     hand_.choose("method", "Spine test");
-    for (const char* button : {"save.png", "save.style", "save.camera"}) hand_.click(button);
+    hand_.save(viewer::SavedKind::png);
+    for (const char* button : {"save.style", "save.camera"}) hand_.click(button);
     EXPECT_EQ(error(), "");
     draw_by_tool("--method spine --size 968x800 --style " + path("clevis.toml"), "tool.%d.png");
     const Image saved = read_image(path("clevis.png")), tool = read_image(path("tool.0.png"));
     EXPECT_EQ(saved.size, (glm::ivec2{968, 800}));
     EXPECT_EQ(saved.pixels, tool.pixels);
-    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
     EXPECT_EQ(read_image(path("clevis-2.png")).pixels, tool.pixels) << "nothing is overwritten";
 }
 
 TEST_F(Viewer, SavesThePathsThatTheToolFinds) {
-    hand_.choose("save.scale", "968 x 800");
-    for (const char* button : {"save.svg", "save.camera"}) hand_.click(button);
+    hand_.save(viewer::SavedKind::svg);
+    hand_.click("save.camera");
     draw_by_tool("--size 968x800", "tool.%d.svg");
     const auto without_description = [](std::string svg) {
         const std::size_t from = svg.find("<desc>"), to = svg.find("</desc>");

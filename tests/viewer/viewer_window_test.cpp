@@ -101,9 +101,9 @@ TEST_F(Viewer, LoadsInTheBackgroundAndCanBeCancelled) {
     ASSERT_TRUE(hand_.has("cancel"));
     const glm::dvec2 place = hand_.middle_of("cancel");
     for (const int action : {GLFW_PRESS, GLFW_RELEASE}) {
-        app_.on_mouse_move(place);
+        app_.input().on_mouse_move(place);
         hand_.panel_frames(1);
-        app_.on_mouse_button(GLFW_MOUSE_BUTTON_LEFT, action, 0);
+        app_.input().on_mouse_button(GLFW_MOUSE_BUTTON_LEFT, action, 0);
         hand_.panel_frames(1);
     }
     EXPECT_FALSE(session().loader.busy());
@@ -201,22 +201,11 @@ TEST_F(Viewer, TheSidebarIsUsedByKeys) {
     EXPECT_TRUE(app_.ui().folded.contains("parts"));
 }
 
-TEST_F(Viewer, AQueueKeepsWhatHappensForLater) {
-    viewer::InputQueue queue;
-    queue.on_key(GLFW_KEY_X, 0, GLFW_PRESS, 0);
-    queue.on_key(GLFW_KEY_X, 0, GLFW_RELEASE, 0);
-    hand_.rest();
-    EXPECT_FALSE(session().settings.split);
-    queue.pass_to(app_);
-    EXPECT_TRUE(queue.empty());
-    EXPECT_TRUE(session().settings.split);
-}
-
 TEST_F(Viewer, ShowsItsKeys) {
     hand_.key(GLFW_KEY_F1);
     hand_.screenshot("help");
     hand_.click("help.close");
-    EXPECT_FALSE(app_.ui().help);
+    EXPECT_FALSE(app_.ui().panel == viewer::Panel::keys);
     hand_.key(GLFW_KEY_TAB);
     EXPECT_EQ(session().size(), (glm::ivec2{1280, 800})) << "the picture has the whole window";
 }

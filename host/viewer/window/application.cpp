@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include "theme.hpp"
 
@@ -35,14 +37,12 @@ Application::Application(const ApplicationOptions& options, ImageWriter& writer)
     : options_(options), window_(options.size, "lineatlas"), gui_(window_.handle()),
       session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
     ui_.theme = options.theme.value_or(theme_of_desktop());
-    window_.listen(this);
+    window_.listen(&queue_);
     session_.interrupted = [this] { return something_happens(); };
     show_soon();
 }
 
-Application::~Application() {
-    window_.listen(nullptr);
-}
+Application::~Application() = default;
 
 void Application::show_soon() {
     frames_due_ = frames_after_event;
@@ -50,10 +50,41 @@ void Application::show_soon() {
 
 /// Looks without doing anything about it: a picture is being drawn.
 bool Application::something_happens() {
-    window_.listen(&queue_);
     Window::wait(0);
-    window_.listen(this);
     return !queue_.empty() || window_.should_close();
+}
+
+/// Whether a field has the keyboard, or has it from the next frame on.
+bool Application::field_has_keyboard() {
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
+}
+
+/// Whether a menu or a list to choose from is open.
+bool Application::menu_is_open() {
+    constexpr ImGuiPopupFlags any = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+    return ImGui::IsPopupOpen(static_cast<const char*>(nullptr), any);
+}
+
+/// Whether letters are text and no shortcuts.
+bool Application::letters_are_text() const {
+    return takes_letters(ui_.panel) || menu_is_open() || field_has_keyboard();
+}
+
+/// Until the field of a panel has the keyboard, so that it gets what is typed.
+void Application::give_keyboard() {
+    constexpr int most = 4; // frames that ImGui takes for it
+    for (int i = 0; i < most && has_search(ui_.panel) && !field_has_keyboard(); ++i) make_frame();
+}
+
+/// Shows the interface each event before the next one comes, without pictures: else of a key that
+/// goes down and up within a frame nothing is seen, and letters come before their field is there.
+/// Work that was asked for is done before what was typed after it.
+void Application::take_input() {
+    while (!queue_.empty() && !ui_.later) {
+        give_keyboard();
+        queue_.pass_next_to(*this);
+        if (!queue_.empty()) make_frame();
+    }
 }
 
 void Application::run() {
@@ -71,10 +102,15 @@ std::optional<double> Application::seconds_to_refine() const {
     return options_.scripted ? 0 : std::max(rest - past.count(), 0.0);
 }
 
+/// Whether the page of an export is to be drawn anew.
+bool Application::shows_preview() const {
+    return ui_.panel == Panel::exporting && session_.preview_due();
+}
+
 /// 0: at once; below 0: until something happens.
 double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
-                         session_.recording() || mouse_.flying() || ui_.later;
+                         session_.recording() || mouse_.flying() || ui_.later || shows_preview();
     if (at_work) return 0;
     if (const std::optional<double> seconds = seconds_to_refine()) return *seconds;
     constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
@@ -86,10 +122,11 @@ double Application::seconds_to_wait() const {
 }
 
 void Application::step(double longest_wait) {
-    double wait = seconds_to_wait();
+    double wait = queue_.empty() ? seconds_to_wait() : 0;
     if (longest_wait >= 0) wait = wait < 0 ? longest_wait : std::min(wait, longest_wait);
     const bool timed = wait > 0;
     window_.wait(wait);
+    take_input();
     if (timed) session_.look_at_file();
     if (timed &&
         (session_.loader.busy() || session_.messages.passing() || ImGui::GetIO().WantTextInput)) {
@@ -109,6 +146,11 @@ void Application::step(double longest_wait) {
             paint();
             window_.show_frame();
         }
+    }
+    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // which says so
+    if (frames_due_ == 0 && shows_preview()) {
+        session_.draw_preview();
+        show_soon();
     }
     if (frames_due_ == 0 && !session_.stale()) return;
     frames_due_ = std::max(frames_due_ - 1, 0);
@@ -142,11 +184,13 @@ void Application::advance() {
 void Application::fit_scale() {
     const float scale = options_.scale > 0 ? options_.scale : window_.content_scale();
     const float ratio = window_.pixels_per_point();
-    if (scale == scale_ && ratio == pixels_per_point_ && ui_.theme == theme_) return;
+    const bool has_letters = ui_.letters.size() == letters_;
+    if (scale == scale_ && ratio == pixels_per_point_ && ui_.theme == theme_ && has_letters) return;
     theme_ = ui_.theme;
+    letters_ = ui_.letters.size();
     scale_ = ui_.scale = scale;
     pixels_per_point_ = ratio;
-    ui_.bold = apply_theme(ui_.theme, scale, ratio);
+    ui_.bold = apply_theme(ui_.theme, scale, ratio, ui_.letters);
 #ifndef IMGUI_HAS_TEXTURES // since 1.92 it renews the texture itself
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -168,7 +212,7 @@ void Application::make_frame() {
     io.AddMousePosEvent(mouse.x, mouse.y);
 #else
     io.MousePos = mouse;
-    if (options_.scripted) std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown); // not as they are by now
 #endif
     ImGui::NewFrame();
     ui_.spots.begin_frame();
@@ -181,11 +225,15 @@ void Application::make_frame() {
     mouse_.set_area(canvas);
     draw_canvas_overlays(ui_, canvas);
     draw_timings(ui_, canvas);
+    if (mouse_.take_menu()) ui_.opens_menu = true;
+    draw_parts_menu(ui_);
     draw_messages(ui_, canvas);
     draw_help(ui_);
     draw_open_panel(ui_, canvas);
+    draw_export_panel(ui_);
     draw_palette(ui_, canvas);
     if (ui_.quit) window_.close();
+    if (ui_.letters.size() != letters_) show_soon(); // with them
     session_.profile = ui_.timings;
     if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -200,8 +248,12 @@ void Application::show_frame() {
     const auto start = std::chrono::steady_clock::now();
     const bool drawn = session_.stale();
     if (drawn) {
+        const auto status = [&] {
+            return std::tuple{session_.refining(), session_.refined(), session_.economy()};
+        };
+        const auto said = status();
         session_.draw();
-        queue_.pass_to(*this);
+        if (status() != said) frames_due_ = std::max(frames_due_, 1); // the window says it yet
         if (session_.timings_due()) session_.take_timings();
     }
     paint();

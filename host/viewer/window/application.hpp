@@ -16,12 +16,12 @@ struct ApplicationOptions {
     DeviceOptions device{};
     float scale = 0;              ///< of letters; 0: as the system wants it
     std::optional<Theme> theme{}; ///< none: as the desktop wants it
-    /// No mouse is asked for its buttons: they are as on_mouse_button() said. For tests.
-    bool scripted = false;
+    bool scripted =
+        false; ///< no picture waits for a hand to rest before it becomes exact; for tests
 };
 
 /// The viewer: a session in a window.
-class Application final : public InputListener {
+class Application final : private InputListener {
   public:
     Application(const ApplicationOptions& options, ImageWriter& writer);
     ~Application() override;
@@ -29,6 +29,8 @@ class Application final : public InputListener {
     Session& session() { return session_; }
     Ui& ui() { return ui_; }
     Window& window() { return window_; }
+    /// Where the window tells what happens. step() takes it from there.
+    InputListener& input() { return queue_; }
 
     /// Until the window is closed.
     void run();
@@ -39,6 +41,7 @@ class Application final : public InputListener {
     /// What the window shows.
     Image screenshot() const;
 
+  private:
     void on_key(int key, int scancode, int action, int mods) override;
     void on_character(unsigned code) override;
     void on_mouse_button(int button, int action, int mods) override;
@@ -49,7 +52,6 @@ class Application final : public InputListener {
     void on_focus(bool focused) override;
     void on_refresh() override;
 
-  private:
     /// ImGui with its connections to GLFW and GL.
     class Gui {
       public:
@@ -60,6 +62,7 @@ class Application final : public InputListener {
     };
 
     double seconds_to_wait() const;
+    bool shows_preview() const;
     std::optional<double> seconds_to_refine() const;
     void advance();
     void fit_scale();
@@ -68,14 +71,19 @@ class Application final : public InputListener {
     void show_frame();
     void paint() const;
     void blit_pictures() const;
+    void take_input();
+    void give_keyboard();
+    static bool field_has_keyboard();
+    static bool menu_is_open();
+    bool letters_are_text() const;
     void press_key(int key, int mods);
     void press_escape();
     void show_soon();
     bool something_happens();
 
     ApplicationOptions options_;
+    InputQueue queue_; ///< outlives the window, which tells it
     Window window_;
-    InputQueue queue_; ///< what happens while a picture becomes exact
     Gui gui_;
     Session session_;
     Ui ui_;
@@ -88,6 +96,7 @@ class Application final : public InputListener {
     int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
     std::uint64_t frames_shown_ = 0;
     float scale_ = 0, pixels_per_point_ = 0;
+    std::size_t letters_ = 0;    ///< that fonts were made for
     Theme theme_ = Theme::light; ///< applied
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
@@ -64,6 +65,7 @@ void CanvasMouse::press(int button, int mods, glm::dvec2 place) {
     last_ = pressed_ = place;
     moved_ = false;
     button_ = button;
+    mods_ = mods;
     drag_ = over_slider(place) ? Drag::slider : drag_of(button, mods);
     if (const auto cut = cut_at(place); cut && drag_ == Drag::orbit) {
         drag_ = Drag::cut;
@@ -75,9 +77,12 @@ void CanvasMouse::press(int button, int mods, glm::dvec2 place) {
 
 void CanvasMouse::release(int button, double now) {
     if (button != button_) return;
-    const bool clicked = drag_ == Drag::orbit && !moved_;
+    const bool clicked =
+        drag_ != Drag::cut && drag_ != Drag::slider && drag_ != Drag::none && !moved_;
     drag_ = Drag::none;
-    if (clicked) click(now);
+    if (!clicked) return;
+    if (button == GLFW_MOUSE_BUTTON_LEFT) click(now);
+    if (button == GLFW_MOUSE_BUTTON_RIGHT) ask_for_menu();
 }
 
 void CanvasMouse::click(double now) {
@@ -86,8 +91,16 @@ void CanvasMouse::click(double now) {
     clicked_ = pressed_;
     clicked_at_ = now;
     if (session_.measuring()) return session_.measure_at(on_canvas(pressed_));
-    session_.selected = session_.part_at(on_canvas(pressed_));
-    if (twice && session_.selected) session_.frame_part(*session_.selected);
+    const bool adds = (mods_ & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) != 0;
+    session_.select(session_.part_at(on_canvas(pressed_)), adds);
+    if (twice && !adds) session_.frame_selected();
+}
+
+/// A menu is about what is under the mouse, or about all that is selected if that is.
+void CanvasMouse::ask_for_menu() {
+    const std::optional<std::uint32_t> part = session_.part_at(on_canvas(pressed_));
+    if (!part || !session_.selected.contains(*part)) session_.select(part);
+    menu_at_ = pressed_;
 }
 
 void CanvasMouse::move(glm::dvec2 place) {
@@ -131,20 +144,34 @@ void CanvasMouse::scroll(double clicks, glm::dvec2 place) {
 
 bool CanvasMouse::key(int key, bool down) {
     if (!ways().contains(key)) return false;
-    if (down)
+    if (down) {
         keys_.insert(key);
-    else
+        fresh_keys_.insert(key);
+        released_keys_.erase(key);
+    } else if (fresh_keys_.contains(key)) {
+        released_keys_.insert(key); // once it has moved something
+    } else {
         keys_.erase(key);
+    }
     return true;
 }
 
+void CanvasMouse::release_keys() {
+    keys_.clear();
+    fresh_keys_.clear();
+    released_keys_.clear();
+}
+
 void CanvasMouse::advance(double seconds, bool fast) {
-    if (keys_.empty() || session_.model() == nullptr) return;
+    if (keys_.empty()) return;
+    if (session_.model() == nullptr) return release_keys();
     glm::dvec3 way{0};
     for (const int key : keys_) way += ways().at(key);
     const Bounds& bounds = session_.model()->lines.bounds;
     const double speed = flight_per_second * glm::length(bounds.max - bounds.min);
     session_.navigation.fly(way * (speed * seconds * (fast ? fast_factor : 1)));
+    fresh_keys_.clear();
+    for (const int key : std::exchange(released_keys_, {})) keys_.erase(key);
 }
 
 } // namespace lineatlas::viewer

@@ -22,6 +22,11 @@ void save(Ui& ui) {
     save_as(ui, kind);
 }
 
+template <Panel panel>
+void show(Ui& ui) {
+    switch_panel(ui, panel);
+}
+
 template <Session::Move move>
 void record(Ui& ui) {
     ui.session.start_recording(move, ui.folder, ui.record_frames);
@@ -49,22 +54,6 @@ void toggle_hidden_lines(Ui& ui) {
 void toggle_split(Ui& ui) {
     ui.session.settings.split = !ui.session.settings.split;
     ui.session.changed();
-}
-
-void hide_selected(Ui& ui) {
-    if (!ui.session.selected) return;
-    HiddenParts hidden = ui.session.settings.shown.hidden;
-    hidden.insert(*ui.session.selected);
-    ui.session.hide_parts(std::move(hidden));
-}
-
-void isolate_selected(Ui& ui) {
-    if (ui.session.selected)
-        ui.session.hide_parts(ui.session.model()->parts.all_but(*ui.session.selected));
-}
-
-void frame_selected(Ui& ui) {
-    if (ui.session.selected) ui.session.frame_part(*ui.session.selected);
 }
 
 /// The last cut by a share of the model.
@@ -112,10 +101,13 @@ constexpr std::array all{
     Command{"The camera before", GLFW_KEY_LEFT, alt, [](Ui& ui) { ui.session.camera_back(); }},
     Command{"The camera after", GLFW_KEY_RIGHT, alt, [](Ui& ui) { ui.session.camera_forward(); }},
 
-    Command{"Hide the selected part", GLFW_KEY_DELETE, 0, hide_selected},
-    Command{"Show the selected part alone", GLFW_KEY_I, 0, isolate_selected},
-    Command{"Frame the selected part", GLFW_KEY_F, shift, frame_selected},
-    Command{"Show all parts", GLFW_KEY_U, 0, [](Ui& ui) { ui.session.hide_parts({}); }},
+    Command{"Hide what is selected", GLFW_KEY_DELETE, 0,
+            [](Ui& ui) { ui.session.hide_selected(); }},
+    Command{"Show what is selected alone", GLFW_KEY_I, 0,
+            [](Ui& ui) { ui.session.isolate_selected(); }},
+    Command{"Frame what is selected", GLFW_KEY_F, shift,
+            [](Ui& ui) { ui.session.frame_selected(); }},
+    Command{"Show all parts", GLFW_KEY_U, 0, [](Ui& ui) { ui.session.show_parts({}); }},
     Command{"Add a section", GLFW_KEY_C, 0, [](Ui& ui) { ui.session.add_cut(); }},
     Command{"Move the last section ahead", GLFW_KEY_RIGHT_BRACKET, 0,
             [](Ui& ui) { move_cut(ui, 0.01); }},
@@ -134,30 +126,31 @@ constexpr std::array all{
     Command{"Undo", GLFW_KEY_Z, ctrl, [](Ui& ui) { ui.session.undo(); }},
     Command{"Redo", GLFW_KEY_Y, ctrl, [](Ui& ui) { ui.session.redo(); }},
 
-    Command{"Open a file", GLFW_KEY_O, ctrl, [](Ui& ui) { show_open_panel(ui); }},
+    Command{"Open a file", GLFW_KEY_O, ctrl, show<Panel::open>},
     Command{"Read the file again", GLFW_KEY_R, ctrl, [](Ui& ui) { ui.session.reload(); }},
     Command{"Save the session", GLFW_KEY_S, ctrl, save<SavedKind::session>},
-    Command{"Save the picture as PNG", GLFW_KEY_E, ctrl, save<SavedKind::png>},
-    Command{"Save the paths as SVG", GLFW_KEY_E, ctrl | shift, save<SavedKind::svg>},
+    Command{"Export a drawing", GLFW_KEY_E, ctrl, show<Panel::exporting>},
+    Command{"Save the picture as PNG", GLFW_KEY_E, ctrl | shift, save<SavedKind::png>},
+    Command{"Save the paths as SVG", 0, 0, save<SavedKind::svg>},
     Command{"Record a turntable", 0, 0, record<Session::Move::turntable>},
     Command{"Record the way through the kept views", 0, 0, record<Session::Move::kept_views>},
     Command{"Save the style", 0, 0, save<SavedKind::style>},
     Command{"Save the camera", 0, 0, save<SavedKind::camera>},
 
-    Command{"Find a command", GLFW_KEY_P, ctrl, show_palette},
+    Command{"Find a command", GLFW_KEY_P, ctrl, show<Panel::palette>},
     Command{"Sidebar", GLFW_KEY_TAB, 0, [](Ui& ui) { ui.sidebar = !ui.sidebar; }},
     Command{"Keyboard into the sidebar", GLFW_KEY_F6, 0, keyboard_to_sidebar},
     Command{"Timings", GLFW_KEY_T, 0, [](Ui& ui) { ui.timings = !ui.timings; }},
     Command{"Save the timings as a trace", 0, 0, save<SavedKind::trace>},
     Command{"Light or dark panels", GLFW_KEY_L, 0, switch_theme},
-    Command{"Keys", GLFW_KEY_F1, 0, [](Ui& ui) { ui.help = !ui.help; }},
+    Command{"Keys", GLFW_KEY_F1, 0, show<Panel::keys>},
     Command{"Quit", GLFW_KEY_Q, ctrl, [](Ui& ui) { ui.quit = true; }},
 };
 
 /// Keys that people know from elsewhere.
 constexpr std::array others{
     Command{"", GLFW_KEY_Z, ctrl | shift, [](Ui& ui) { ui.session.redo(); }},
-    Command{"", GLFW_KEY_SLASH, 0, [](Ui& ui) { ui.help = !ui.help; }},
+    Command{"", GLFW_KEY_SLASH, 0, show<Panel::keys>},
 };
 
 std::string name_of_key(int key) {

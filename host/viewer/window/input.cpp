@@ -29,8 +29,9 @@ void Application::on_key(int key, int scancode, int action, int mods) {
         mouse_.key(key, false);
         return;
     }
-    if (key == GLFW_KEY_ESCAPE && ui_.palette) return ui_.palette.reset();
-    if (action != GLFW_PRESS || (ImGui::GetIO().WantTextInput && !is_for_all(key, mods))) return;
+    const bool of_panel = key == GLFW_KEY_ESCAPE && ui_.panel != Panel::none && !menu_is_open();
+    if (of_panel) return press_escape();
+    if (action != GLFW_PRESS || (letters_are_text() && !is_for_all(key, mods))) return;
     press_key(key, mods);
 }
 
@@ -43,16 +44,14 @@ void Application::press_key(int key, int mods) {
 
 /// The uppermost thing goes.
 void Application::press_escape() {
-    if (session_.recording())
+    if (ui_.panel != Panel::none)
+        ui_.panel = Panel::none;
+    else if (session_.recording())
         session_.cancel_recording();
     else if (session_.loader.busy())
         session_.cancel_loading();
-    else if (ui_.opening)
-        ui_.opening = false;
     else if (session_.measuring())
         session_.toggle_measuring();
-    else if (ui_.help)
-        ui_.help = false;
     else if (!session_.messages.all().empty())
         session_.messages.dismiss(session_.messages.all().size() - 1);
     else
@@ -61,6 +60,7 @@ void Application::press_escape() {
 
 void Application::on_character(unsigned code) {
     show_soon();
+    if (code > last_usual_letter) ui_.letters.insert(code);
     ImGui_ImplGlfw_CharCallback(window_.handle(), code);
 }
 

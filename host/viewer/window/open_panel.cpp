@@ -1,7 +1,5 @@
-#include <fmt/format.h>
-#include <imgui.h>
-// After imgui.h.
-#include <imgui_stdlib.h>
+// The panel of files, and what of them one can find by typing.
+#include <algorithm>
 
 #include "widgets.hpp"
 
@@ -10,74 +8,142 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void open(Ui& ui, const fs::path& file) {
-    ui.opening = false;
-    ui.session.open(file);
+struct Row {
+    enum class Kind { recent, folder, file };
+    Kind kind;
+    fs::path path;
+    std::string name; ///< as it is read
+};
+
+/// What is typed: a folder, as far as there is one, and the beginning of a name in it.
+struct Typed {
+    fs::path folder;
+    std::string name;
+};
+
+Typed typed_in(const OpenState& state) {
+    const std::string& text = state.search.searched;
+    const std::size_t slash = text.rfind('/');
+    if (slash == std::string::npos) return {state.folder, text};
+    return {(state.folder / text.substr(0, slash + 1)).lexically_normal(), text.substr(slash + 1)};
 }
 
-void recent(Ui& ui) {
-    const std::vector<fs::path>& files = ui.session.recent.all();
-    if (files.empty()) return;
-    ImGui::TextDisabled("Recent");
-    // A copy: opening changes the list.
-    for (const fs::path& file : std::vector<fs::path>{files}) {
-        const std::string name = file.filename().string();
-        if (ImGui::Selectable(fmt::format("{}##{}", name, file.string()).c_str())) open(ui, file);
-        ui.spots.note("recent:" + name);
-        tip(file.c_str());
-    }
-    ImGui::Separator();
+void list(OpenState& state, const fs::path& folder) {
+    if (state.listed == folder) return;
+    state.listed = folder;
+    state.entries = list_folder(folder);
 }
 
-void go_to(Ui& ui, const fs::path& folder) {
-    ui.open_folder = folder.lexically_normal();
-    ui.open_entries = list_folder(ui.open_folder);
+/// Recent files while no other folder is typed, then what is in the folder.
+std::vector<Row> rows_of(const Ui& ui, const Typed& typed) {
+    std::vector<Row> rows;
+    if (typed.folder == ui.open.folder)
+        for (const fs::path& file : ui.session.recent.all())
+            if (contains(file.string(), typed.name))
+                rows.push_back({Row::Kind::recent, file, file.filename().string()});
+    if (typed.name.empty() && typed.folder.has_relative_path())
+        rows.push_back({Row::Kind::folder, (typed.folder / "..").lexically_normal(), "../"});
+    for (const FileEntry& entry : ui.open.entries) {
+        const std::string name = entry.path.filename().string();
+        if (!contains(name, typed.name)) continue;
+        rows.push_back(entry.is_folder ? Row{Row::Kind::folder, entry.path, name + "/"}
+                                       : Row{Row::Kind::file, entry.path, name});
+    }
+    return rows;
 }
 
-void folder(Ui& ui) {
-    ImGui::TextDisabled("%s", ui.open_folder.c_str());
-    ImGui::BeginChild("entries",
-                      {0, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing()});
-    if (ui.open_folder.has_relative_path() && ImGui::Selectable("..")) {
-        go_to(ui, ui.open_folder.parent_path());
+void enter(OpenState& state, const fs::path& folder) {
+    state.folder = folder;
+    state.search = {};
+    list(state, folder);
+}
+
+void take(Ui& ui, const fs::path& path) {
+    std::error_code failure;
+    if (fs::is_directory(path, failure)) return enter(ui.open, path);
+    ui.panel = Panel::none;
+    ui.session.open(path);
+}
+
+/// Returns whether it was clicked.
+bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
+    const bool recent = row.kind == Row::Kind::recent;
+    const std::string id = row.name + "##" + (recent ? "recent" : "") + row.path.string();
+    const bool clicked = ImGui::Selectable(shown(ui, id), chosen);
+    ui.spots.note((recent ? "recent:" : "entry:") + row.name);
+    if (chosen && scrolls_here) ImGui::SetScrollHereY();
+    if (!recent) return clicked;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", row.path.parent_path().c_str());
+    return clicked;
+}
+
+std::optional<fs::path> draw_rows(Ui& ui, const std::vector<Row>& rows, bool scrolls_here) {
+    std::optional<fs::path> clicked;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool first_of_folder =
+            i > 0 && rows[i - 1].kind == Row::Kind::recent && rows[i].kind != Row::Kind::recent;
+        if (first_of_folder) ImGui::Separator();
+        const bool chosen = static_cast<int>(i) == ui.open.search.chosen;
+        if (draw_row(ui, rows[i], chosen, scrolls_here)) clicked = rows[i].path;
     }
-    ui.spots.note("entry:..");
-    for (const FileEntry& entry : std::vector<FileEntry>{ui.open_entries}) {
-        const std::string name = entry.path.filename().string() + (entry.is_folder ? "/" : "");
-        const bool chosen = ImGui::Selectable(name.c_str());
-        ui.spots.note("entry:" + name);
-        if (chosen && entry.is_folder) go_to(ui, entry.path);
-        if (chosen && !entry.is_folder) open(ui, entry.path);
-    }
-    if (ui.open_entries.empty()) ImGui::TextDisabled("No file that can be opened");
-    ImGui::EndChild();
+    if (rows.empty()) ImGui::TextDisabled("No file of that name can be opened");
+    return clicked;
+}
+
+/// What Enter means: the path that is typed if there is one, else what is chosen. A path that leads
+/// nowhere is opened all the same, which says so.
+std::optional<fs::path> entered(const OpenState& state, const std::vector<Row>& rows) {
+    std::error_code failure;
+    const std::string& text = state.search.searched;
+    const fs::path path = (state.folder / text).lexically_normal();
+    if (!text.empty() && (rows.empty() || fs::exists(path, failure))) return path;
+    if (rows.empty()) return {};
+    return rows[static_cast<std::size_t>(state.search.chosen)].path;
+}
+
+fs::path first_folder(const Session& session) {
+    std::error_code failure;
+    const Model* model = session.model();
+    const bool of_model = model != nullptr && !model->source.files.empty();
+    return of_model ? fs::absolute(model->source.files.front(), failure).parent_path()
+                    : fs::current_path(failure);
 }
 
 } // namespace
 
-void show_open_panel(Ui& ui) {
-    ui.opening = true;
-    std::error_code failure;
-    if (ui.open_folder.empty()) {
-        const Model* model = ui.session.model();
-        const bool of_model = model != nullptr && !model->source.files.empty();
-        ui.open_folder = of_model ? fs::absolute(model->source.files.front(), failure).parent_path()
-                                  : fs::current_path(failure);
-    }
-    go_to(ui, ui.open_folder);
+void switch_panel(Ui& ui, Panel panel) {
+    ui.panel = ui.panel == panel ? Panel::none : panel;
+    ui.palette = {};
+    if (panel == Panel::exporting) begin_export(ui);
+    if (panel != Panel::open) return;
+    const fs::path folder = ui.open.folder.empty() ? first_folder(ui.session) : ui.open.folder;
+    ui.open = {};
+    enter(ui.open, folder);
 }
 
 void draw_open_panel(Ui& ui, Area canvas) {
-    if (!ui.opening) return;
+    if (ui.panel != Panel::open) return;
     const glm::vec2 size =
         glm::min(canvas.size - ui.points(40), ui.points(1) * glm::vec2{520, 560});
-    const glm::vec2 low = canvas.low + 0.5F * (canvas.size - size);
-    begin_floating(ui, "open", low, size);
+    begin_floating(ui, "open", canvas.low + 0.5F * (canvas.size - size), size, searched_flags);
     heading(ui, "Open");
-    recent(ui);
-    folder(ui);
-    if (button(ui, "open.close", "Close")) ui.opening = false;
+    const bool enter_pressed =
+        search_field(ui, ui.open.search, "open.search", "Type a name or a path");
+    const Typed typed = typed_in(ui.open);
+    list(ui.open, typed.folder);
+    ImGui::TextDisabled("%s", shown(ui, typed.folder.string()));
+    const std::vector<Row> rows = rows_of(ui, typed);
+    const bool moved = move_choice(ui.open.search, rows.size());
+    ImGui::BeginChild("entries",
+                      {0, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing()},
+                      false, searched_flags);
+    std::optional<fs::path> taken = draw_rows(ui, rows, moved);
+    ImGui::EndChild();
+    if (enter_pressed) taken = entered(ui.open, rows);
+    if (button(ui, "open.close", "Close")) ui.panel = Panel::none;
     ImGui::End();
+    if (taken) take(ui, *taken);
 }
 
 } // namespace lineatlas::viewer

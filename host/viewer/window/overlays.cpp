@@ -24,12 +24,7 @@ void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot
 void toolbar(Ui& ui, Area canvas) {
     begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
-    if (toggle(ui, "open.panel", "Open", ui.opening)) {
-        if (ui.opening)
-            ui.opening = false;
-        else
-            show_open_panel(ui);
-    }
+    if (toggle(ui, "open.panel", "Open", ui.panel == Panel::open)) switch_panel(ui, Panel::open);
     tip("Files of a folder, and recent ones (Ctrl+O)");
     ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
@@ -49,14 +44,15 @@ void toolbar(Ui& ui, Area canvas) {
     if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
     tip("Where a frame's time goes (T)");
     ImGui::SameLine();
-    if (toggle(ui, "help", "?", ui.help, ui.points(26))) ui.help = !ui.help;
+    if (toggle(ui, "help", "?", ui.panel == Panel::keys, ui.points(26)))
+        switch_panel(ui, Panel::keys);
     tip("Keys (F1)");
     ImGui::PopStyleVar();
     ImGui::End();
 }
 
 /// On the side's end of the slider; below the toolbar where there is no room beside it.
-void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
+void side_name(Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
     std::string text = label_of(side.method);
     if (side.method != Method::opengl) {
         text += fmt::format(", {} probe{}", side.probes, side.probes == 1 ? "" : "s");
@@ -64,17 +60,11 @@ void side_name(const Ui& ui, const Area& canvas, const Side& side, float x, floa
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
     const bool beside = left > canvas.low.x + ui.points(570);
-    const ImVec2 low{left, canvas.low.y + ui.points(beside ? 21 : 66)};
-    const ImVec2 padding{ui.points(8), ui.points(4)};
-    const ImVec2 box_low{low.x - padding.x, low.y - padding.y};
-    const ImVec2 box_high{low.x + size.x + padding.x, low.y + size.y + padding.y};
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(box_low, box_high, theme::colors().panel, ui.points(4));
-    list.AddRect(box_low, box_high, theme::colors().line, ui.points(4));
-    list.AddText(low, theme::colors().ink, text.c_str());
+    plate(ui, text, {x + direction * ui.points(12), canvas.low.y + ui.points(beside ? 17 : 62)},
+          {direction < 0 ? 1 : 0, 0});
 }
 
-void split_handle(const Ui& ui, Area canvas) {
+void split_handle(Ui& ui, Area canvas) {
     const Settings& settings = ui.session.settings;
     const float x = canvas.low.x + settings.split_at * canvas.size.x;
     const float middle = canvas.low.y + 0.5F * canvas.size.y;
@@ -86,7 +76,7 @@ void split_handle(const Ui& ui, Area canvas) {
         const float tip = x + side * ui.points(8), base = x + side * ui.points(3.5F);
         const float half = ui.points(4);
         list.AddTriangleFilled({tip, middle}, {base, middle - half}, {base, middle + half},
-                               IM_COL32_WHITE);
+                               theme::colors().on_accent);
     }
     side_name(ui, canvas, settings.sides[0], x, -1);
     side_name(ui, canvas, settings.sides[1], x, 1);
@@ -96,19 +86,10 @@ void loading(Ui& ui, Area canvas) {
     Loader& loader = ui.session.loader;
     begin_overlay(ui, "loading", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::PushFont(ui.bold);
-    ImGui::TextUnformatted(loader.name().c_str());
+    ImGui::TextUnformatted(shown(ui, loader.name()));
     ImGui::PopFont();
     ImGui::TextDisabled("%s ...", loader.stage().c_str());
-    const float width = ui.points(260), height = ui.points(4);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({width, height});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::colors().line, height);
-    // How much is left to do nobody knows, so something moves.
-    const auto phase = static_cast<float>(std::fmod(ImGui::GetTime(), 1.6) / 1.6);
-    const float from = std::max(0.0F, 1.3F * phase - 0.3F), to = std::min(1.0F, 1.3F * phase);
-    list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
-                       theme::colors().accent, height);
+    progress_bar(ui, -1);
     if (button(ui, "cancel", "Cancel")) ui.session.cancel_loading();
     ImGui::End();
 }
@@ -117,44 +98,45 @@ void recording(Ui& ui, Area canvas) {
     const Recording& now = *ui.session.recording();
     begin_overlay(ui, "recording", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::Text("Picture %d of %d", static_cast<int>(now.drawn()), static_cast<int>(now.count()));
-    ImGui::ProgressBar(static_cast<float>(now.drawn()) / static_cast<float>(now.count()),
-                       {ui.points(260), ui.points(6)}, "");
+    progress_bar(ui, static_cast<float>(now.drawn()) / static_cast<float>(now.count()));
     if (button(ui, "record.cancel", "Stop")) ui.session.cancel_recording();
     ImGui::End();
 }
 
-/// The box around the selected part, and its name.
-void selection(const Ui& ui, Area canvas) {
-    const Session& session = ui.session;
-    if (!session.selected) return;
-    const Parts::Part& part = session.model()->parts.all().at(*session.selected);
+void box_around(const Session& session, Area canvas, const Bounds& bounds, ImDrawList& list) {
     const auto corner = [&](unsigned i) {
-        const glm::dvec3 at{(i & 1U) != 0 ? part.bounds.max.x : part.bounds.min.x,
-                            (i & 2U) != 0 ? part.bounds.max.y : part.bounds.min.y,
-                            (i & 4U) != 0 ? part.bounds.max.z : part.bounds.min.z};
+        const glm::dvec3 at{(i & 1U) != 0 ? bounds.max.x : bounds.min.x,
+                            (i & 2U) != 0 ? bounds.max.y : bounds.min.y,
+                            (i & 4U) != 0 ? bounds.max.z : bounds.min.z};
         return place_of(session, canvas, at);
     };
-    ImDrawList& list = list_over(canvas);
     for (unsigned i = 0; i < 8; ++i) {
         for (const unsigned axis : {1U, 2U, 4U}) {
             const std::optional<ImVec2> from = corner(i), to = corner(i | axis);
-            if ((i & axis) == 0 && from && to) list.AddLine(*from, *to, theme::colors().accent, 1);
+            if ((i & axis) == 0 && from && to)
+                list.AddLine(*from, *to, theme::colors().selection, 1);
         }
     }
+}
+
+/// Boxes around what is selected, and its name or how many there are.
+void selection(Ui& ui, Area canvas) {
+    const Session& session = ui.session;
+    if (session.selected.empty()) return;
+    const Parts& parts = session.model()->parts;
+    ImDrawList& list = list_over(canvas);
+    for (const std::uint32_t part : session.selected)
+        box_around(session, canvas, parts.all().at(part).bounds, list);
     list.PopClipRect();
-    const std::string name = session.model()->parts.path_of(*session.selected);
-    const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-    const ImVec2 low{canvas.low.x + ui.points(20),
-                     canvas.low.y + canvas.size.y - size.y - ui.points(18)};
-    const float pad = ui.points(8);
-    list.AddRectFilled({low.x - pad, low.y - pad / 2},
-                       {low.x + size.x + pad, low.y + size.y + pad / 2}, theme::colors().panel,
-                       ui.points(4));
-    list.AddText(low, theme::colors().ink, name.c_str());
+    const std::string name = session.selected.size() == 1
+                                 ? parts.path_of(*session.selected.begin())
+                                 : fmt::format("{} parts", session.selected.size());
+    plate(ui, name, {canvas.low.x + ui.points(100), canvas.low.y + canvas.size.y - ui.points(14)},
+          {0, 1});
 }
 
 /// How the picture is drawn, for those who look for it.
-void status(const Ui& ui, Area canvas) {
+void status(Ui& ui, Area canvas) {
     const Session& session = ui.session;
     std::string text =
         label_of(session.refined() ? Method::exact : session.settings.sides[0].method);
@@ -164,10 +146,8 @@ void status(const Ui& ui, Area canvas) {
         text += ", becoming exact ...";
     else if (session.economy() != Economy::none)
         text += ", less while it moves";
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    ImGui::GetBackgroundDrawList()->AddText({canvas.low.x + canvas.size.x - size.x - ui.points(14),
-                                             canvas.low.y + canvas.size.y - size.y - ui.points(14)},
-                                            theme::colors().quiet, text.c_str());
+    ui.spots.note("status:" + text,
+                  plate(ui, text, canvas.low + canvas.size - ui.points(14), {1, 1}));
 }
 
 void invitation(const Ui& ui, Area canvas) {
@@ -223,7 +203,7 @@ void draw_messages(Ui& ui, Area canvas) {
             ImGui::PopStyleColor();
         }
         ImGui::PushTextWrapPos(width);
-        ImGui::TextUnformatted(message.text.c_str());
+        ImGui::TextUnformatted(shown(ui, message.text));
         ImGui::PopTextWrapPos();
         const std::string id = fmt::format("dismiss.{}", i);
         if (message.error && button(ui, id.c_str(), "Dismiss")) ui.session.messages.dismiss(i);
@@ -233,7 +213,7 @@ void draw_messages(Ui& ui, Area canvas) {
 }
 
 void draw_help(Ui& ui) {
-    if (!ui.help) return;
+    if (ui.panel != Panel::keys) return;
     struct Row {
         std::string key;
         std::string what;
@@ -265,7 +245,7 @@ void draw_help(Ui& ui) {
             ImGui::TextDisabled("%s", rows[at].what.c_str());
         }
     }
-    if (button(ui, "help.close", "Close")) ui.help = false;
+    if (button(ui, "help.close", "Close")) ui.panel = Panel::none;
     ImGui::End();
 }
 

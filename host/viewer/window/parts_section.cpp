@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,6 +11,8 @@
 
 namespace lineatlas::viewer {
 namespace {
+
+constexpr const char* menu_name = "parts.menu";
 
 /// What the list shows: parts of that name, or the tree as far as it is not folded.
 std::vector<std::uint32_t> rows(const Ui& ui, const Parts& parts) {
@@ -37,35 +40,59 @@ void arrow(Ui& ui, std::uint32_t part) {
 }
 
 void eye(Ui& ui, const Parts& parts, std::uint32_t part, const std::string& name) {
-    HiddenParts hidden = ui.session.settings.shown.hidden;
-    bool shown = !hidden.contains(part);
+    ShownParts all = ui.session.settings.shown.parts;
+    bool shown = parts.is_shown(part, all);
     const std::uint32_t above = parts.all()[part].parent;
-    ImGui::BeginDisabled(above != Parts::none && parts.is_hidden(above, hidden));
+    ImGui::BeginDisabled(above != Parts::none && parts.is_among(above, all.hidden));
     const bool pressed = ImGui::Checkbox("##shown", &shown);
     ui.spots.note("show:" + name);
+    tip("Whether it is shown");
     ImGui::EndDisabled();
     ImGui::SameLine(0, ui.points(6));
     if (!pressed) return;
-    if (shown)
-        hidden.erase(part);
-    else
-        hidden.insert(part);
-    ui.session.hide_parts(std::move(hidden));
+    if (!shown) {
+        all.hidden.insert(part);
+    } else {
+        all.hidden.erase(part);
+        if (!all.only.empty() && !parts.is_among(part, all.only)) all.only.insert(part);
+    }
+    ui.session.show_parts(std::move(all));
 }
 
-void row(Ui& ui, const Parts& parts, std::uint32_t part) {
+/// As in lists elsewhere: a click selects one, with Ctrl one more, with Shift all from the last one
+/// that was clicked.
+void select_row(Ui& ui, const std::vector<std::uint32_t>& listed, std::size_t row) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto anchor = std::ranges::find(listed, ui.part_anchor);
+    if (!io.KeyShift || anchor == listed.end()) {
+        ui.part_anchor = listed[row];
+        return ui.session.select(listed[row], io.KeyCtrl);
+    }
+    const auto from = static_cast<std::size_t>(anchor - listed.begin());
+    ui.session.selected.clear();
+    for (std::size_t i = std::min(from, row); i <= std::max(from, row); ++i)
+        ui.session.selected.insert(listed[i]);
+}
+
+void row(Ui& ui, const Parts& parts, const std::vector<std::uint32_t>& listed, std::size_t at) {
+    const std::uint32_t part = listed[at];
     const Parts::Part& shown = parts.all()[part];
     ImGui::PushID(static_cast<int>(part));
     const std::uint32_t depth = ui.part_search.empty() ? shown.depth : 0;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.points(14) * static_cast<float>(depth));
     if (shown.holds_others && ui.part_search.empty()) arrow(ui, part);
     eye(ui, parts, part, shown.name);
-    if (ImGui::Selectable(shown.name.c_str(), ui.session.selected == part,
+    viewer::shown(ui, parts.path_of(part));
+    if (ImGui::Selectable(shown.name.c_str(), ui.session.selected.contains(part),
                           ImGuiSelectableFlags_AllowDoubleClick)) {
-        ui.session.selected = part;
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ui.session.frame_part(part);
+        select_row(ui, listed, at);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) ui.session.frame_selected();
     }
     ui.spots.note("part:" + shown.name);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        if (!ui.session.selected.contains(part)) ui.session.select(part);
+        ui.opens_menu = true;
+    }
     tip(parts.path_of(part).c_str());
     ImGui::PopID();
 }
@@ -74,24 +101,25 @@ void buttons(Ui& ui) {
     Session& session = ui.session;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-    ImGui::BeginDisabled(!session.selected);
-    if (button(ui, "parts.isolate", "Isolate", third))
-        session.hide_parts(session.model()->parts.all_but(*session.selected));
-    tip("Hide all but the selected part (I); Delete hides it");
+    ImGui::BeginDisabled(session.selected.empty());
+    if (button(ui, "parts.isolate", "Isolate", third)) session.isolate_selected();
+    tip("Show what is selected alone (I); Delete hides it");
     ImGui::SameLine(0, gap);
-    if (button(ui, "parts.frame", "Frame", third)) session.frame_part(*session.selected);
+    if (button(ui, "parts.frame", "Frame", third)) session.frame_selected();
+    tip("Fill the picture with what is selected (Shift + F)");
     ImGui::EndDisabled();
     ImGui::SameLine(0, gap);
-    ImGui::BeginDisabled(session.settings.shown.hidden.empty());
-    if (button(ui, "parts.all", "Show all", third)) session.hide_parts({});
+    ImGui::BeginDisabled(session.settings.shown.parts == ShownParts{});
+    if (button(ui, "parts.all", "Show all", third)) session.show_parts({});
     tip("Show what is hidden (U)");
     ImGui::EndDisabled();
 }
 
-/// Width and colour of the selected part's lines.
+/// Width and colour of the lines of what is selected.
 void pen(Ui& ui, const Parts& parts) {
-    if (!ui.session.selected) return;
-    const std::vector<std::string> objects = parts.objects_of(*ui.session.selected);
+    std::vector<std::string> objects;
+    for (const std::uint32_t part : ui.session.selected)
+        std::ranges::copy(parts.objects_of(part), std::back_inserter(objects));
     constexpr std::size_t most = 64; // each is a rule of the style
     if (objects.empty() || objects.front().empty() || objects.size() > most) return;
     Style& style = ui.session.settings.style;
@@ -102,6 +130,7 @@ void pen(Ui& ui, const Parts& parts) {
         slider_with_number(ui, "part.width", pen.width, 0.3F, 12.0F, "%.1f px", room, 64);
     ImGui::SameLine(0, ui.points(8));
     const bool other = swatch(ui, "part.color", pen.color);
+    tip("Colour of its lines");
     for (const std::string& object : objects) {
         if (wider) set_width_of_object(style, object, pen.width);
         if (other) set_color_of_object(style, object, pen.color);
@@ -110,6 +139,36 @@ void pen(Ui& ui, const Parts& parts) {
 }
 
 } // namespace
+
+void draw_parts_menu(Ui& ui) {
+    if (std::exchange(ui.opens_menu, false)) ImGui::OpenPopup(menu_name);
+    if (!ImGui::BeginPopup(menu_name)) return;
+    Session& session = ui.session;
+    const auto item = [&](const char* text, const char* key, bool possible = true) {
+        const bool chosen = ImGui::MenuItem(text, key, false, possible);
+        ui.spots.note(std::string{"menu:"} + text);
+        return chosen;
+    };
+    if (session.model() != nullptr && !session.selected.empty()) {
+        const Parts& parts = session.model()->parts;
+        const std::uint32_t first = *session.selected.begin();
+        const std::uint32_t above = parts.all()[first].parent;
+        ImGui::TextDisabled("%s", session.selected.size() == 1
+                                      ? parts.all()[first].name.c_str()
+                                      : fmt::format("{} parts", session.selected.size()).c_str());
+        if (item("Show alone", "I")) session.isolate_selected();
+        if (item("Hide", "Delete")) session.hide_selected();
+        if (item("Frame", "Shift + F")) session.frame_selected();
+        if (item("Select what it is in", "", above != Parts::none)) session.select(above);
+        if (item("Copy the name", "")) ImGui::SetClipboardText(parts.path_of(first).c_str());
+        ImGui::Separator();
+    }
+    if (item("Show all", "U", session.settings.shown.parts != ShownParts{})) session.show_parts({});
+    if (item("Fit the model", "F")) session.fit();
+    if (item("Add a section", "C")) session.add_cut();
+    if (item("Export ...", "Ctrl + E")) switch_panel(ui, Panel::exporting);
+    ImGui::EndPopup();
+}
 
 void draw_parts_section(Ui& ui) {
     const Model* model = ui.session.model();
@@ -127,7 +186,7 @@ void draw_parts_section(Ui& ui) {
     clipper.Begin(static_cast<int>(listed.size()), ImGui::GetFrameHeightWithSpacing());
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            row(ui, model->parts, listed[static_cast<std::size_t>(i)]);
+            row(ui, model->parts, listed, static_cast<std::size_t>(i));
     }
     if (listed.empty()) ImGui::TextDisabled("No part is called so");
     ImGui::EndChild();

@@ -98,7 +98,7 @@ void draw_cuts(Ui& ui, Area canvas) {
         for (std::size_t corner = 0; corner < outline.size(); ++corner) {
             const auto from = place(outline.at(corner));
             const auto to = place(outline.at((corner + 1) % outline.size()));
-            if (from && to) list.AddLine(*from, *to, theme::colors().accent, ui.points(1));
+            if (from && to) list.AddLine(*from, *to, theme::colors().section, ui.points(1));
         }
         const glm::dvec3 middle = middle_of(cuts[i], session.whole_bounds(), session.origin());
         const std::optional<ImVec2> handle = place(middle);
@@ -115,11 +115,11 @@ void draw_cuts(Ui& ui, Area canvas) {
             const float needle = ui.points(26);
             if (length > 0) {
                 const glm::vec2 end = glm::vec2{handle->x, handle->y} + way * (needle / length);
-                list.AddLine(*handle, {end.x, end.y}, theme::colors().accent, ui.points(2.5F));
+                list.AddLine(*handle, {end.x, end.y}, theme::colors().section, ui.points(2.5F));
             }
         }
-        list.AddCircleFilled(*handle, radius, theme::colors().accent);
-        list.AddCircle(*handle, radius, IM_COL32_WHITE, 0, ui.points(1.5F));
+        list.AddCircleFilled(*handle, radius, theme::colors().section);
+        list.AddCircle(*handle, radius, theme::colors().on_accent, 0, ui.points(1.5F));
         ui.spots.note(fmt::format("section.{}.handle", i),
                       {{handle->x - radius, handle->y - radius}, {2 * radius, 2 * radius}});
     }

@@ -22,20 +22,11 @@ std::string with_thousands(std::uint64_t number) {
 void model_section(Ui& ui) {
     Session& session = ui.session;
     const Model* model = session.model();
-    heading(ui, model == nullptr ? "Open a model" : model->source.name().c_str());
+    heading(ui, model == nullptr ? "No model" : shown(ui, model->source.name()));
     if (model != nullptr) {
         ImGui::TextDisabled("%s triangles, %s edges",
                             with_thousands(model->lines.triangles.size()).c_str(),
                             with_thousands(model->lines.segments.size()).c_str());
-    }
-    ImGui::SetNextItemWidth(-1);
-    const bool entered =
-        ImGui::InputTextWithHint("##open", "Drop files, or type a path", &ui.open_path,
-                                 ImGuiInputTextFlags_EnterReturnsTrue);
-    ui.spots.note("open");
-    if (entered && !ui.open_path.empty()) {
-        session.open(ui.open_path);
-        ui.open_path.clear();
     }
     if (model != nullptr && !model->source.files.empty()) {
         checkbox(ui, "adds", "Add to what is open", session.adds);
@@ -115,36 +106,15 @@ void method_section(Ui& ui) {
 }
 
 void save_section(Ui& ui) {
-    heading(ui, "Save");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     ImGui::BeginDisabled(ui.session.model() == nullptr);
-    for (const auto& [id, text, kind, help] :
-         {std::tuple{"save.session", "Session", SavedKind::session,
-                     "All that is seen here, to be opened again or drawn by the tool (Ctrl + S)"},
-          std::tuple{"save.png", "PNG", SavedKind::png, "The picture as it is (Ctrl + E)"},
-          std::tuple{"save.svg", "SVG", SavedKind::svg,
-                     "Its visible lines as paths (Ctrl + Shift + E)"},
-          std::tuple{"save.style", "Style", SavedKind::style, "For --style, as TOML"},
-          std::tuple{"save.camera", "Camera", SavedKind::camera, "For --camera-path, as JSON"}}) {
-        if (kind != SavedKind::session && kind != SavedKind::style) ImGui::SameLine(0, gap);
-        const bool upper = kind != SavedKind::style && kind != SavedKind::camera;
-        if (button(ui, id, text, upper ? third : 1.5F * third + 0.5F * gap)) save_as(ui, kind);
-        tip(help);
-    }
+    if (toggle(ui, "export", "Export ...", true, half)) switch_panel(ui, Panel::exporting);
+    tip("A picture or paths for a screen, a printer, a plotter or a laser (Ctrl + E)");
+    ImGui::SameLine(0, gap);
+    if (button(ui, "save.session", "Save the session", half)) save_as(ui, SavedKind::session);
+    tip("All that is seen here, to be opened again or drawn by the tool (Ctrl + S)");
     ImGui::EndDisabled();
-    static constexpr std::array<int, 4> scales{1, 2, 3, 4};
-    const auto name = [&](int scale) {
-        const glm::ivec2 size = ui.session.size() * scale;
-        return fmt::format("{} x {}", size.x, size.y);
-    };
-    choice(
-        ui, "save.scale", "Pixels", name(ui.save_scale), scales, name,
-        [&](int scale) { return scale == ui.save_scale; },
-        [&](int scale) { ui.save_scale = scale; });
-    label(ui, "Folder");
-    ImGui::InputText("##folder", &ui.folder);
-    ui.spots.note("folder");
 }
 
 } // namespace
@@ -164,9 +134,8 @@ void save_as(Ui& ui, SavedKind kind) {
                                                             : session.session_path());
         return;
     case SavedKind::png:
-        return ui.do_later("Saving", [&session, path = path("png"), scale = ui.save_scale] {
-            session.save_picture(path, scale);
-        });
+        return ui.do_later("Saving",
+                           [&session, path = path("png")] { session.save_picture(path); });
     case SavedKind::svg:
         return ui.do_later("Saving",
                            [&session, path = path("svg")] { session.save_picture(path); });
@@ -190,7 +159,7 @@ void draw_sidebar(Ui& ui, Area area) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
     // What is saved stays in sight, whatever is scrolled.
-    const float footer = 5 * ImGui::GetFrameHeightWithSpacing() + ui.points(4);
+    const float footer = ImGui::GetFrameHeightWithSpacing() + ui.points(6);
     // The scroll bar lies in the margin, so that it leaves a gap.
     const float gap = ui.points(8);
     const float width = ImGui::GetContentRegionAvail().x + 2 * gap;
@@ -209,6 +178,7 @@ void draw_sidebar(Ui& ui, Area area) {
     draw_views_section(ui);
     draw_device_section(ui);
     ImGui::EndChild();
+    ImGui::Dummy({0, ui.points(1)});
     save_section(ui);
     const float border = area.low.x + 0.5F;
     ImDrawList& list = *ImGui::GetWindowDrawList();

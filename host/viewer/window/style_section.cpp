@@ -105,6 +105,8 @@ void draw_style_section(Ui& ui) {
     const bool pen_changed = pen_rows(ui, style);
     const bool effect_changed = effect_rows(ui, style);
     if (pen_changed || effect_changed) ui.session.changed();
+    if (button(ui, "save.style", "Save the style", -1)) save_as(ui, SavedKind::style);
+    tip("As TOML, for --style");
 }
 
 } // namespace lineatlas::viewer

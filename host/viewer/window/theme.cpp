@@ -27,14 +27,50 @@ constexpr std::array<FontFiles, 4> font_files{
      {"/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf",
       "/usr/share/fonts/truetype/liberation2/LiberationSans-Bold.ttf"}}};
 
-ImFont* load_fonts(float pixels_per_letter) {
+/// Where letters are looked for that the first one lacks.
+constexpr std::array other_fonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                 "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                                 "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+                                 "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+                                 "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc",
+                                 "/usr/share/fonts/truetype/noto/NotoSansArabic-Regular.ttf",
+                                 "/usr/share/fonts/truetype/noto/NotoSansHebrew-Regular.ttf",
+                                 "/usr/share/fonts/truetype/noto/NotoSansDevanagari-Regular.ttf",
+                                 "/usr/share/fonts/truetype/noto/NotoSansThai-Regular.ttf"};
+
+/// The usual ones and these.
+ImVector<ImWchar> ranges_of(const Letters& letters) {
+    ImFontGlyphRangesBuilder builder;
+    builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
+    for (const unsigned letter : letters)
+        if (letter <= IM_UNICODE_CODEPOINT_MAX) builder.AddChar(static_cast<ImWchar>(letter));
+    ImVector<ImWchar> ranges;
+    builder.BuildRanges(&ranges);
+    return ranges;
+}
+
+ImFont* add_font(const char* file, float size, const Letters& letters, const ImWchar* ranges) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    ImFont* font = fonts.AddFontFromFileTTF(file, size, nullptr, ranges);
+    ImFontConfig more;
+    more.MergeMode = true; // of letters that there are already nothing changes
+    for (const char* other : other_fonts)
+        if (!letters.empty() && std::filesystem::exists(other))
+            fonts.AddFontFromFileTTF(other, size, &more, ranges);
+    return font;
+}
+
+ImFont* load_fonts(float pixels_per_letter, const Letters& letters) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
+    const ImVector<ImWchar> ranges = ranges_of(letters); // until they are built
     for (const FontFiles& files : font_files) {
         if (!std::filesystem::exists(files.regular) || !std::filesystem::exists(files.bold))
             continue;
-        fonts.AddFontFromFileTTF(files.regular, letter_size * pixels_per_letter);
-        return fonts.AddFontFromFileTTF(files.bold, heading_size * pixels_per_letter);
+        add_font(files.regular, letter_size * pixels_per_letter, letters, ranges.Data);
+        ImFont* bold = add_font(files.bold, heading_size * pixels_per_letter, letters, ranges.Data);
+        if (fonts.Build()) return bold;
+        fonts.Clear(); // a file is broken
     }
     ImFontConfig config;
     config.SizePixels = letter_size * pixels_per_letter;
@@ -42,17 +78,25 @@ ImFont* load_fonts(float pixels_per_letter) {
 }
 
 constexpr theme::Colors light_colors{.ink = IM_COL32(38, 40, 44, 255),
-                                     .quiet = IM_COL32(108, 110, 116, 255),
+                                     .quiet = IM_COL32(92, 94, 100, 255),
                                      .accent = IM_COL32(44, 98, 158, 255),
+                                     .on_accent = IM_COL32(255, 255, 255, 255),
                                      .line = IM_COL32(222, 220, 214, 255),
                                      .panel = IM_COL32(248, 247, 244, 255),
-                                     .alarm = IM_COL32(176, 48, 40, 255)};
+                                     .alarm = IM_COL32(176, 48, 40, 255),
+                                     .selection = IM_COL32(44, 98, 158, 255),
+                                     .section = IM_COL32(196, 92, 20, 255),
+                                     .measure = IM_COL32(120, 60, 150, 255)};
 constexpr theme::Colors dark_colors{.ink = IM_COL32(226, 226, 222, 255),
-                                    .quiet = IM_COL32(152, 154, 158, 255),
-                                    .accent = IM_COL32(72, 134, 204, 255),
+                                    .quiet = IM_COL32(160, 162, 166, 255),
+                                    .accent = IM_COL32(52, 108, 172, 255),
+                                    .on_accent = IM_COL32(255, 255, 255, 255),
                                     .line = IM_COL32(64, 66, 70, 255),
                                     .panel = IM_COL32(36, 38, 41, 255),
-                                    .alarm = IM_COL32(240, 120, 108, 255)};
+                                    .alarm = IM_COL32(240, 120, 108, 255),
+                                    .selection = IM_COL32(72, 134, 204, 255),
+                                    .section = IM_COL32(216, 116, 36, 255),
+                                    .measure = IM_COL32(168, 104, 200, 255)};
 
 Theme& applied() {
     static Theme theme = Theme::light;
@@ -108,10 +152,10 @@ Theme theme_of_desktop() {
     return dark ? Theme::dark : Theme::light;
 }
 
-ImFont* apply_theme(Theme theme, float scale, float pixels_per_point) {
+ImFont* apply_theme(Theme theme, float scale, float pixels_per_point, const Letters& letters) {
     applied() = theme;
     ImGuiIO& io = ImGui::GetIO();
-    ImFont* bold = load_fonts(scale * pixels_per_point);
+    ImFont* bold = load_fonts(scale * pixels_per_point, letters);
     io.FontGlobalScale = 1 / pixels_per_point;
     ImGuiStyle style;
     set_colors(style);

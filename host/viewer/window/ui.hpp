@@ -52,36 +52,53 @@ struct DeviceChoice {
     DeviceOptions options;
 };
 
-/// Of the list of commands while it is there.
-struct PaletteState {
+/// What floats over the picture: one at a time.
+enum class Panel { none, open, exporting, palette, keys };
+
+/// Of a list that one searches by typing.
+struct SearchState {
     std::string searched{};
     int chosen = 0; ///< of those that are found
-    bool has_keyboard = false;
+};
+
+/// Of the panel of files.
+struct OpenState {
+    SearchState search{};
+    std::filesystem::path folder{}; ///< where what is typed begins
+    std::filesystem::path listed{}; ///< whose entries there are
+    std::vector<FileEntry> entries{};
+};
+
+/// Of the panel of exports; kept from one time to the next.
+struct ExportState {
+    ExportOptions options{};
+    std::string name{}; ///< of the file
 };
 
 /// What the panels know besides the session.
 struct Ui {
     Session& session;
     Spots spots{};
+    Letters letters{}; ///< that texts have beyond the usual ones
     ImFont* bold = nullptr;
     float scale = 1; ///< of letters and spacing
     Theme theme = Theme::light;
     std::set<std::string> folded{}; ///< sections of the sidebar
-    bool sidebar = true, help = false, timings = false;
+    bool sidebar = true, timings = false;
     std::vector<DeviceChoice> devices{};
-    std::optional<PaletteState> palette{};
-    bool quit = false;                ///< the window is to be closed
-    bool keyboard_to_sidebar = false; ///< arrows and Enter are for its items from now on
-    bool kernels = false;             ///< in the panel of timings, in place of stages
-    bool opening = false;             ///< the panel of files is there
-    std::filesystem::path open_folder{};
-    std::vector<FileEntry> open_entries{};  ///< of it
-    std::string open_path{};                ///< what is being typed
-    std::string part_search{};              ///< the same
-    std::set<std::uint32_t> folded_parts{}; ///< those in them are not listed
-    int record_frames = 120;                ///< of a recording
-    int save_scale = 1;
-    std::string folder = "."; ///< where files are saved
+    Panel panel = Panel::none;
+    SearchState palette{};
+    OpenState open{};
+    ExportState exporting{};
+    bool quit = false;                       ///< the window is to be closed
+    bool keyboard_to_sidebar = false;        ///< arrows and Enter are for its items from now on
+    bool kernels = false;                    ///< in the panel of timings, in place of stages
+    std::string part_search{};               ///< what is being typed
+    std::set<std::uint32_t> folded_parts{};  ///< those in them are not listed
+    std::uint32_t part_anchor = Parts::none; ///< where a row of selected parts begins
+    bool opens_menu = false;                 ///< the menu of parts, where the mouse is
+    int record_frames = 120;                 ///< of a recording
+    std::string folder = ".";                ///< where files are saved
     /// Work during which the window can't answer: it is done after a frame that says so.
     std::optional<std::pair<std::string, std::function<void()>>> later{};
 
@@ -100,6 +117,8 @@ float sidebar_width(const Ui& ui);
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
 void draw_parts_section(Ui& ui);
+/// What can be done with what is selected.
+void draw_parts_menu(Ui& ui);
 void draw_sections_section(Ui& ui);
 void draw_style_section(Ui& ui);
 void draw_lines_section(Ui& ui);
@@ -107,15 +126,26 @@ void draw_views_section(Ui& ui);
 void draw_device_section(Ui& ui);
 /// Where cuts lie, with handles to drag.
 void draw_cuts(Ui& ui, Area canvas);
-void draw_distances(const Ui& ui, Area canvas);
+void draw_distances(Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
 void draw_help(Ui& ui);
 void draw_palette(Ui& ui, Area canvas);
-void show_palette(Ui& ui);
 void draw_open_panel(Ui& ui, Area canvas);
-/// Lists the folder of the model, or the one that was listed last.
-void show_open_panel(Ui& ui);
+void draw_export_panel(Ui& ui);
+/// Chooses a name for the file.
+void begin_export(Ui& ui);
+/// In place of the one that was there; the same one goes. The panel of files lists the folder of
+/// the model, or the one that was listed last.
+void switch_panel(Ui& ui, Panel panel);
+/// Whether letters are no shortcuts as long as a panel is there.
+inline bool takes_letters(Panel panel) {
+    return panel != Panel::none && panel != Panel::keys;
+}
+/// Whether a panel's field has the keyboard as long as the panel is there.
+inline bool has_search(Panel panel) {
+    return panel == Panel::open || panel == Panel::palette;
+}
 
 } // namespace lineatlas::viewer

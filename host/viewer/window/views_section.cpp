@@ -22,6 +22,8 @@ void draw_views_section(Ui& ui) {
     }
     if (button(ui, "views.add", "Keep this view", -1)) session.add_bookmark();
     tip("Kept in the session; a click goes there (B)");
+    if (button(ui, "save.camera", "Save the camera", -1)) save_as(ui, SavedKind::camera);
+    tip("As JSON, for --camera-path");
     slider(ui, "record.frames", "Pictures", ui.record_frames, 2, 500, "%d");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include "theme.hpp"
 #include "ui.hpp"
@@ -15,6 +17,16 @@
 // Rows of a panel: a label on the left, what it is about on the right. All return whether the value
 // has changed, and are noted under their id.
 namespace lineatlas::viewer {
+
+/// A text that may have any letter: fonts have it from the next frame on.
+inline const char* shown(Ui& ui, const std::string& text) {
+    for (const char *at = text.c_str(), *end = at + text.size(); at < end;) {
+        unsigned letter = 0;
+        at += ImTextCharFromUtf8(&letter, at, end);
+        if (letter > last_usual_letter) ui.letters.insert(letter);
+    }
+    return text.c_str();
+}
 
 inline void heading(const Ui& ui, const char* text) {
     ImGui::Dummy({0, ui.points(2)});
@@ -144,7 +156,7 @@ inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float widt
         ImGui::PushStyleColor(ImGuiCol_Button, theme::colors().accent);
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::colors().accent);
         ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::colors().accent);
-        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::colors().on_accent);
     }
     const bool pressed = button(ui, id, text, width);
     if (on) ImGui::PopStyleColor(4);
@@ -152,15 +164,64 @@ inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float widt
 }
 
 /// A panel that floats over the picture; ends with ImGui::End().
-inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size) {
+inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size,
+                           ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos({low.x, low.y});
     ImGui::SetNextWindowSize({size.x, size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                 flags | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar(2);
+}
+
+/// Of panels with a search_field(), and of lists in them: arrows are for what is found.
+inline constexpr ImGuiWindowFlags searched_flags = ImGuiWindowFlags_NoNavInputs;
+
+/// The field of a panel that has the keyboard as long as the panel is there. Returns whether Enter
+/// was pressed.
+inline bool search_field(Ui& ui, SearchState& state, const char* id, const char* hint) {
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+    const std::string before = state.searched;
+    const bool entered =
+        ImGui::InputTextWithHint((std::string{"##"} + id).c_str(), hint, &state.searched,
+                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.spots.note(id);
+    if (before != state.searched) state.chosen = 0;
+    return entered;
+}
+
+inline bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700 // keys have their names
+    return ImGui::IsKeyPressed(key);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
+/// Arrows choose among so many that are found. Returns whether another one is chosen now.
+inline bool move_choice(SearchState& state, std::size_t count) {
+    const int before = state.chosen, last = std::max(static_cast<int>(count) - 1, 0);
+    if (key_pressed(ImGuiKey_DownArrow)) ++state.chosen;
+    if (key_pressed(ImGuiKey_UpArrow)) --state.chosen;
+    state.chosen = std::clamp(state.chosen, 0, last);
+    return state.chosen != before;
+}
+
+/// How much of something is done, 0 to 1; below 0 nobody knows: something moves.
+inline void progress_bar(const Ui& ui, float done) {
+    const float width = ui.points(260), height = ui.points(4);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + height}, theme::colors().line, height);
+    const auto phase = static_cast<float>(std::fmod(ImGui::GetTime(), 1.6) / 1.6);
+    const float from = done < 0 ? std::max(0.0F, 1.3F * phase - 0.3F) : 0;
+    const float to = done < 0 ? std::min(1.0F, 1.3F * phase) : std::min(done, 1.0F);
+    list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
+                       theme::colors().accent, height);
 }
 
 /// What is drawn over the picture and ends where it does; ends with PopClipRect().
@@ -169,6 +230,21 @@ inline ImDrawList& list_over(Area canvas) {
     list.PushClipRect({canvas.low.x, canvas.low.y},
                       {canvas.low.x + canvas.size.x, canvas.low.y + canvas.size.y});
     return list;
+}
+
+/// A text over the picture, on a ground of its own: papers have any colour. `pivot`: which point of
+/// the ground lies at the place, from its upper left corner (0) to the lower right one (1).
+inline Area plate(Ui& ui, const std::string& text, glm::vec2 at, glm::vec2 pivot) {
+    const ImVec2 letters = ImGui::CalcTextSize(shown(ui, text));
+    const glm::vec2 pad{ui.points(8), ui.points(4)};
+    const glm::vec2 size = glm::vec2{letters.x, letters.y} + 2.0F * pad;
+    const glm::vec2 low = at - pivot * size, high = low + size;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 from{low.x, low.y}, to{high.x, high.y};
+    list.AddRectFilled(from, to, theme::colors().panel, ui.points(4));
+    list.AddRect(from, to, theme::colors().line, ui.points(4));
+    list.AddText({low.x + pad.x, low.y + pad.y}, theme::colors().ink, text.c_str());
+    return {low, size};
 }
 
 /// Where in the window a point of the model is seen, if it is.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -26,7 +27,8 @@ class InputListener {
     virtual void on_refresh() = 0; ///< the window's size has changed, or it must be shown again
 };
 
-/// Keeps what happens for later.
+/// Keeps what happens, in order, however much of it happens during one frame. ImGui knows only how
+/// keys and buttons are, not how they came to be so: it is shown one event after the other.
 class InputQueue final : public InputListener {
   public:
     void on_key(int key, int scancode, int action, int mods) override;
@@ -40,11 +42,17 @@ class InputQueue final : public InputListener {
     void on_refresh() override;
 
     bool empty() const { return events_.empty(); }
-    /// Tells all of it to who wants to hear it now.
-    void pass_to(InputListener& listener);
+    /// Tells of the first event. Moves of the mouse in a row are told together, as are turns of the
+    /// wheel: nothing can happen between them.
+    void pass_next_to(InputListener& listener);
 
   private:
-    std::vector<std::function<void(InputListener&)>> events_;
+    enum class Kind { alone, move, scroll };
+    struct Event {
+        Kind kind;
+        std::function<void(InputListener&)> tell;
+    };
+    std::deque<Event> events_;
 };
 
 /// A window with a GL 4.5 core context, current on the thread that made it.

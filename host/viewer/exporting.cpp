@@ -1,0 +1,189 @@
+#include "exporting.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "command_line/view_options.hpp"
+#include "core/style_lengths.hpp"
+#include "lineatlas/error.hpp"
+#include "output/sheet_output.hpp"
+#include "saving.hpp"
+#include "vector/sheet.hpp"
+
+namespace lineatlas::viewer {
+namespace {
+
+constexpr float print_dpi = 300;
+constexpr double millimetres_of_inch = 25.4;
+/// A pixel of a drawing as paths, as CSS has it.
+const double millimetres_of_pixel = length_in({1, Unit::px}, Unit::mm);
+
+Page page_of(const ExportOptions& options) {
+    return parse_page(options.page);
+}
+
+Length margin_of(const ExportOptions& options) {
+    return {static_cast<double>(options.margin), Unit::mm};
+}
+
+double unit_of(const Model& model) {
+    return model.unit.value_or(1);
+}
+
+bool is_pixels(const ExportOptions& options) {
+    return options.format == FileFormat::png;
+}
+
+/// The one view on its page, and how large it is.
+struct Placed {
+    View view;
+    glm::ivec2 size;
+    Sheet sheet;
+};
+
+/// To scale the whole model is seen from where the eye looks, on all of the page within margins;
+/// else what is seen fills it.
+Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawing) {
+    const Page page = page_of(options);
+    const Length margin = margin_of(options);
+    Sheet sheet = lay_out(drawing.window, page, margin, Unit::mm);
+    if (options.scale.empty()) return {drawing.view, drawing.window, sheet};
+    const glm::dvec2 room = sheet.size - 2.0 * static_cast<double>(options.margin);
+    const glm::ivec2 size{glm::max(glm::round(room / millimetres_of_pixel), 1.0)};
+    sheet = lay_out(size, page, margin, Unit::mm);
+    const View& seen = drawing.view;
+    const std::vector<glm::vec3>& points = drawing.model.framed;
+    const View whole = frame_points_from({glm::normalize(seen.eye - seen.target), seen.up}, points,
+                                         size, seen.fov_y, Projection::orthographic);
+    const View view =
+        view_to_scale(whole, options.scale, unit_of(drawing.model), sheet.scale, size, points);
+    return {view, size, sheet};
+}
+
+/// The picture that is written: of pixels as many as its place on paper has at print_dpi.
+SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& drawing) {
+    SavedPicture picture{.model = drawing.model,
+                         .view = drawing.view,
+                         .size = drawing.window,
+                         .options = drawing.options};
+    if (!is_on_paper(options)) {
+        if (is_pixels(options)) picture.size *= options.pixels;
+        return picture;
+    }
+    const Placed placed = place_on_page(options, drawing);
+    picture.view = placed.view;
+    picture.size = placed.size;
+    if (is_pixels(options)) {
+        const double dots =
+            placed.sheet.scale / millimetres_of_inch * static_cast<double>(print_dpi);
+        picture.size = glm::ivec2{glm::max(glm::round(dots * glm::dvec2{placed.size}), 1.0)};
+        picture.dpi = print_dpi;
+        return picture;
+    }
+    picture.paper = {.page = options.page, .margin = options.margin};
+    picture.options.style =
+        style_on_page(drawing.options.style, picture.size, page_of(options), margin_of(options));
+    return picture;
+}
+
+SheetLayout sheet_of(const ExportOptions& options, const Model& model) {
+    SheetOptions wanted{.views = options.views,
+                        .page = page_of(options),
+                        .scale = options.scale,
+                        .unit = unit_of(model),
+                        .up = *model.source.up,
+                        .measures = options.measures};
+    wanted.fields.title = model.source.stem();
+    wanted.fields.file = model.source.name();
+    return lay_out_sheet(model.lines.vertices, wanted);
+}
+
+ExportPage page_with_sheet(const ExportOptions& options, const ExportedDrawing& drawing) {
+    const SheetLayout layout = sheet_of(options, drawing.model);
+    ExportPage page{.size = layout.size, .scale = layout.scale};
+    for (const SheetView& view : layout.views)
+        page.views.push_back({.camera = view.camera,
+                              .style = style_of_view(drawing.options.style, view),
+                              .low = view.corner,
+                              .high = view.corner + view.scale * glm::dvec2{view.camera.size}});
+    page.sheet = layout;
+    return page;
+}
+
+void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
+                const std::filesystem::path& path, Renderer& renderer) {
+    const Model& model = drawing.model;
+    const auto find = [&](const Camera& camera) -> SeenLines {
+        FrameOptions frame = drawing.options;
+        frame.method = Method::exact;
+        frame.steady = false;
+        frame.intervals = KeptIntervals::all;
+        frame.draw = false;
+        renderer.draw(camera, frame, 0);
+        return {renderer.read_intervals(), renderer.read_outlines()};
+    };
+    const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
+                                                drawing.options.style, {.mesh = model.mesh.get()});
+    std::string views;
+    for (const std::string& view : options.views) views += (views.empty() ? "" : ",") + view;
+    const std::string description =
+        command_of({.model = model, .view = drawing.view, .size = {}, .options = drawing.options}) +
+        " --views " + (options.measures ? "auto" : views) + " --page " + options.page +
+        (options.scale.empty() ? "" : " --scale " + options.scale);
+    const bool is_cut = options.purpose == Purpose::laser;
+    const bool is_drawn = options.purpose == Purpose::plotter;
+    write_sheet(path, sheet,
+                {.background = !is_cut && !is_drawn,
+                 .tags = !is_cut && !is_drawn,
+                 .fit_arcs = is_cut,
+                 .description = description},
+                {.dpi = print_dpi, .description = description});
+}
+
+} // namespace
+
+ExportOptions suited_to(Purpose purpose, ExportOptions options) {
+    constexpr std::array formats{FileFormat::png, FileFormat::pdf, FileFormat::svg,
+                                 FileFormat::dxf};
+    options.purpose = purpose;
+    options.format = formats.at(static_cast<std::size_t>(purpose));
+    if (purpose == Purpose::screen) options.sheet = false;
+    return options;
+}
+
+bool is_on_paper(const ExportOptions& options) {
+    return options.sheet ||
+           (options.purpose != Purpose::screen && options.format != FileFormat::json);
+}
+
+ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing) {
+    if (options.sheet) return page_with_sheet(options, drawing);
+    const SavedPicture picture = picture_of(options, drawing);
+    const Bounds& bounds = drawing.model.lines.bounds;
+    PageView view{.camera = make_camera(picture.view, picture.size, bounds),
+                  .style = picture.options.style};
+    ExportPage page{.size = picture.size, .scale = options.scale};
+    view.high = page.size;
+    if (is_on_paper(options)) {
+        const Sheet sheet = place_on_page(options, drawing).sheet;
+        page.size = sheet.size;
+        view.low = sheet.corner;
+        view.high = sheet.size - sheet.corner;
+    } else {
+        page.scale.clear();
+    }
+    page.views.push_back(std::move(view));
+    return page;
+}
+
+void save(const ExportOptions& options, const ExportedDrawing& drawing,
+          const std::filesystem::path& path, Renderer& renderer, ImageWriter& writer) {
+    if (options.sheet) return save_sheet(options, drawing, path, renderer);
+    SavedPicture picture = picture_of(options, drawing);
+    picture.plotter = options.purpose == Purpose::plotter || options.purpose == Purpose::laser;
+    picture.fit_arcs = options.purpose == Purpose::laser;
+    save(picture, path, renderer, writer);
+}
+
+} // namespace lineatlas::viewer

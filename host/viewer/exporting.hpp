@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/image_writer.hpp"
+#include "lineatlas/renderer.hpp"
+#include "lineatlas/sheet.hpp"
+#include "loader.hpp"
+
+namespace lineatlas::viewer {
+
+/// What a drawing is written as.
+enum class FileFormat { png, svg, pdf, dxf, json };
+inline constexpr std::array<const char*, 5> format_extensions{"png", "svg", "pdf", "dxf", "json"};
+
+/// What a drawing is for.
+enum class Purpose { screen, print, plotter, laser };
+
+/// How a drawing leaves the viewer.
+struct ExportOptions {
+    Purpose purpose = Purpose::screen;
+    FileFormat format = FileFormat::png;
+    bool sheet = false; ///< several aligned views in place of the one that is seen
+    std::vector<std::string> views = SheetOptions{}.views; ///< of a sheet
+    bool measures = false;                                 ///< likewise
+    int pixels = 1;          ///< of a picture for the screen: times those of the window
+    std::string page = "a4"; ///< as parse_page() takes it
+    std::string scale{};     ///< as in "1:2"; empty: as large as the page allows
+    float margin = 10;       ///< millimetres
+
+    bool operator==(const ExportOptions&) const = default;
+};
+
+/// The format in which a drawing for that is usually wanted, and what goes with it.
+ExportOptions suited_to(Purpose purpose, ExportOptions options);
+
+/// Whether it stands on a page: not a picture for the screen, nor JSON.
+bool is_on_paper(const ExportOptions& options);
+
+/// What is drawn: all must outlive it.
+struct ExportedDrawing {
+    const Model& model;
+    View view;         ///< that is seen
+    glm::ivec2 window; ///< pixels in which it is seen
+    FrameOptions options;
+};
+
+/// A view on a page.
+struct PageView {
+    Camera camera;      ///< draws it
+    Style style;        ///< in pixels of the camera
+    glm::dvec2 low{0};  ///< upper left corner of the camera's picture on the page
+    glm::dvec2 high{0}; ///< its lower right corner
+};
+
+/// A page with its views, in millimetres, or in pixels without paper; from the upper left corner.
+struct ExportPage {
+    glm::dvec2 size{0};
+    std::string scale{};           ///< of all views; empty: none
+    std::vector<PageView> views{}; ///< one, or those of the sheet
+    std::optional<SheetLayout> sheet{};
+};
+
+/// Throws UsageError for what cannot be, such as a scale that does not fit.
+ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing);
+
+/// Writes the file. Throws Error.
+void save(const ExportOptions& options, const ExportedDrawing& drawing,
+          const std::filesystem::path& path, Renderer& renderer, ImageWriter& writer);
+
+} // namespace lineatlas::viewer

@@ -1,0 +1,153 @@
+// The panel that exports drawings: what it writes is what the tool draws, and to scale.
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// A box of 2 units, which are millimetres as long as nobody says otherwise, seen from the front.
+class ViewerExport : public Viewer {
+  protected:
+    ViewerExport() {
+        std::ofstream{path("m.obj")} << box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9);
+        hand_.drop(path("m.obj"));
+        hand_.key(GLFW_KEY_1);
+        hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    }
+    viewer::ExportOptions& options() { return app_.ui().exporting.options; }
+    const std::string& problem() { return session().preview_problem(); }
+
+    /// Draws with the tool what the viewer has saved, under another name.
+    void draw_by_tool(const std::string& arguments, const std::string& output) const {
+        const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("m.obj") + " " +
+                                    arguments + " -o " + path(output);
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    }
+    /// All but the settings that made it.
+    static std::string drawn_in(std::string text) {
+        const std::size_t from = text.find("<desc>"), to = text.find("</desc>");
+        return from < to && to != std::string::npos ? text.erase(from, to - from) : text;
+    }
+};
+
+/// The numbers after each group code 10 and 11, or 20 and 21, of a DXF's lines.
+struct Extent {
+    double low = 1e9, high = -1e9;
+    double length() const { return high - low; }
+};
+Extent extent_of(const std::string& dxf, int axis) {
+    Extent extent;
+    std::istringstream text{dxf.substr(dxf.find("ENTITIES\n") + 9)};
+    std::string code, value;
+    while (std::getline(text, code) && std::getline(text, value)) {
+        const int number = std::atoi(code.c_str());
+        if (number != 10 * (axis + 1) && number != 10 * (axis + 1) + 1) continue;
+        extent.low = std::min(extent.low, std::stod(value));
+        extent.high = std::max(extent.high, std::stod(value));
+    }
+    return extent;
+}
+
+TEST_F(ViewerExport, APageIsWhatTheToolDraws) {
+    hand_.save(viewer::SavedKind::camera);
+    hand_.click("export.print");
+    hand_.click("export.svg");
+    EXPECT_EQ(app_.ui().exporting.name, "m.svg");
+    hand_.screenshot("export_print");
+    hand_.click("export.save");
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(app_.ui().panel, viewer::Panel::none);
+    draw_by_tool("--size 968x800 --page a4 --margin 10mm --camera-path " + path("m.json"),
+                 "tool.%d.svg");
+    EXPECT_EQ(drawn_in(text_of(path("m.svg"))), drawn_in(text_of(path("tool.0.svg"))));
+}
+
+TEST_F(ViewerExport, DxfIsToScale) {
+    hand_.click("export.laser");
+    hand_.choose("export.scale", "1:2");
+    hand_.screenshot("export_laser");
+    EXPECT_EQ(problem(), "");
+    hand_.click("export.save");
+    const std::string dxf = text_of(path("m.dxf"));
+    EXPECT_NEAR(extent_of(dxf, 0).length(), 3, 1e-3) << "6 mm of two boxes";
+    EXPECT_NEAR(extent_of(dxf, 1).length(), 1, 1e-3);
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    EXPECT_EQ(app_.ui().exporting.name, "m-2.dxf") << "nothing is overwritten unasked";
+    EXPECT_EQ(options().scale, "1:2") << "as it was last";
+}
+
+TEST_F(ViewerExport, AScaleThatDoesNotFitIsSaidBeforeAnythingIsWritten) {
+    hand_.click("export.print");
+    hand_.choose("export.scale", "50:1");
+    EXPECT_NE(problem().find("fits"), std::string::npos) << problem();
+    hand_.screenshot("export_problem");
+    hand_.click("export.save");
+    EXPECT_FALSE(std::filesystem::exists(path("m.pdf")));
+    EXPECT_EQ(app_.ui().panel, viewer::Panel::exporting);
+    hand_.choose("export.page", "A0");
+    EXPECT_EQ(problem(), "") << "30 cm";
+}
+
+TEST_F(ViewerExport, ASheetOfViewsIsWhatTheToolDraws) {
+    hand_.click("export.plotter");
+    hand_.click("export.sheet");
+    hand_.click("export.side.isometric");
+    hand_.choose("export.page", "A3");
+    ASSERT_EQ(options().views, (std::vector<std::string>{"front", "top", "right"}));
+    EXPECT_EQ(session().preview(options(), 400).pictures.size(), 3U);
+    hand_.screenshot("export_sheet");
+    hand_.click("export.save");
+    EXPECT_EQ(error(), "");
+    const std::string style =
+        " --style plain --no-tags --transparent --views front,top,right --page a3";
+    session().use_style("plain");
+    draw_by_tool(style, "tool.svg");
+    EXPECT_EQ(drawn_in(text_of(path("m.svg"))), drawn_in(text_of(path("tool.svg"))));
+}
+
+TEST_F(ViewerExport, PixelsOnPaperAreAsManyAsItNeeds) {
+    hand_.click("export.print");
+    hand_.click("export.png");
+    hand_.choose("export.scale", "2:1");
+    hand_.click("export.save");
+    const Image image = read_image(path("m.png"));
+    EXPECT_NEAR(image.size.x, 277 / 25.4 * 300, 10) << "A4 on its side, within margins";
+    EXPECT_NEAR(image.size.y, 190 / 25.4 * 300, 10);
+    int low = image.size.x, high = 0;
+    for (int y = 0; y < image.size.y; ++y)
+        for (int x = 0; x < image.size.x; ++x)
+            if (image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
+                              static_cast<std::size_t>(x)) *
+                             static_cast<std::size_t>(image.channels)] < 128) {
+                low = std::min(low, x);
+                high = std::max(high, x);
+            }
+    EXPECT_NEAR(high - low, 12 / 25.4 * 300, 12) << "6 mm, twice as large, and a line's width";
+}
+
+TEST_F(ViewerExport, TheScreenIsSavedWithMorePixels) {
+    hand_.choose("export.pixels", "1936 x 1600");
+    hand_.click("export.save");
+    EXPECT_EQ(read_image(path("m.png")).size, (glm::ivec2{1936, 1600}));
+}
+
+TEST_F(ViewerExport, IsDoneByKeysAlone) {
+    EXPECT_EQ(app_.ui().panel, viewer::Panel::exporting);
+    hand_.key(GLFW_KEY_H);
+    EXPECT_FALSE(session().settings.style.hidden) << "letters are no shortcuts here";
+    hand_.click("export.name");
+    hand_.key(GLFW_KEY_A, GLFW_MOD_CONTROL);
+    hand_.type("front");
+    hand_.key(GLFW_KEY_ENTER);
+    EXPECT_TRUE(std::filesystem::exists(path("front.png")) ||
+                std::filesystem::exists(path(app_.ui().exporting.name + ".png")));
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(app_.ui().panel, viewer::Panel::none);
+}
+
+} // namespace
+} // namespace lineatlas::test
