@@ -13,7 +13,7 @@
 
 namespace lineatlas::viewer {
 
-/// Numbers of parts that are not shown; what is in them isn't either.
+/// Numbers of parts that are not shown; parts inside them are not shown either.
 using HiddenParts = std::set<std::uint32_t>;
 
 /// A pattern that means a name's letters alone.
