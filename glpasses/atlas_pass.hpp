@@ -10,7 +10,7 @@
 
 namespace lineatlas::gl {
 
-/// What a depth texture shows, for probes that know surfaces (kernels/spine.h).
+/// The surfaces in a depth texture, for probes that know surfaces (kernels/spine.h).
 struct SurfaceTextures {
     GLuint numbers = 0; ///< of the triangle that each texel shows; 0: nothing is known but depth
     GLuint planes = 0;  ///< a texture over a buffer of 4 floats per triangle

@@ -6,7 +6,8 @@
 
 namespace lineatlas::gl {
 
-/// Whether the current context has what OpenGL 3.1 has removed: the compatibility profile.
+/// True if the current context has the functions that OpenGL 3.1 removed: the compatibility
+/// profile.
 bool is_compatibility();
 
 /// What such a context has besides, and what changes pictures drawn by shaders, too: what is done

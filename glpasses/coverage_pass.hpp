@@ -12,7 +12,7 @@
 
 namespace lineatlas::gl {
 
-/// What kernels have drawn of strokes, on the GL side: layers of a pen's strokes each.
+/// Strokes that kernels have drawn, on the GL side: a layer for each pen.
 struct CoverageLayers {
     GLuint coverage;   ///< bytes: per layer one for every pixel of `part`, row by row
     GLuint shown;      ///< uint32: per layer one for every tile, 1 if it has strokes

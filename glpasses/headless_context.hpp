@@ -6,7 +6,8 @@ namespace lineatlas::gl {
 
 using lineatlas::HeadlessContext;
 
-/// Makes the EGL context that is current on this thread, or none, current again at its end.
+/// Keeps the EGL context that is current on this thread, or none, and makes it current again at its
+/// end.
 class CurrentContextKeeper {
   public:
     CurrentContextKeeper();

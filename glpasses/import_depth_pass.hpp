@@ -10,8 +10,9 @@
 
 namespace lineatlas::gl {
 
-/// What `texture` holds. Throws UsageError if there is none of that name, or if it is not a plain
-/// 2D depth texture with `size` texels from `origin` on. Within a StateGuard: leaves it bound.
+/// The kind of depth in `texture`. Throws UsageError if there is no texture of that name, or if it
+/// is not a plain 2D depth texture with `size` texels from `origin` on. Within a StateGuard: leaves
+/// it bound.
 DepthValues check_depth_texture(GLuint texture, glm::ivec2 origin, glm::ivec2 size);
 
 /// `import_depth`: a program's own depth texture as window depth, in a texture of floats, which may

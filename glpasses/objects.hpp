@@ -6,8 +6,9 @@
 
 namespace lineatlas::gl {
 
-/// While one lives, GL objects that are destroyed on this thread are left to their context, which
-/// is not current: their names may be those of other objects in the one that is.
+/// While one lives, GL objects that are destroyed on this thread are not deleted in GL but left to
+/// their context. That context is not current, and in the current one their names may belong to
+/// other objects.
 class ForgetObjects {
   public:
     ForgetObjects() { ++depth(); }

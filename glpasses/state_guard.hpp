@@ -8,11 +8,12 @@
 
 namespace lineatlas::gl {
 
-/// Gives passes the GL state they expect, and the program around them its own back.
+/// Gives passes the GL state that they expect, and afterwards restores the state of the program
+/// around them.
 ///
-/// What is saved is what passes change or depend on; they use the first viewport, the first draw
-/// buffer and the first texture units alone, and reach objects by name. Everything else (indexed
-/// buffers, images, pipelines, queries, debug groups) they leave alone.
+/// It saves the state that passes change or depend on. Passes use only the first viewport, the
+/// first draw buffer and the first texture units, and reach objects by name. They do not touch any
+/// other state (indexed buffers, images, pipelines, queries, debug groups).
 class StateGuard {
   public:
     /// Saves the state of the current context and sets what passes expect: GL's initial state, but

@@ -10,9 +10,9 @@
 
 namespace lineatlas::gl {
 
-/// Memory for GL's objects. Each throws DeviceError where GL has none, or where the object would be
-/// larger than this device's may be; the object is as it was then. Errors of GL's from before are
-/// taken off its list: drivers note only one.
+/// Memory for GL's objects. Each function throws DeviceError if GL has no memory, or if the object
+/// would be larger than the device allows; the object does not change then. Earlier errors of GL
+/// are taken off its list first, because drivers note only one.
 void allocate(const Buffer& buffer, std::size_t bytes, const void* data, GLbitfield flags,
               const Purpose& purpose);
 /// Another content, perhaps larger, for a buffer whose size may change.

@@ -7,8 +7,8 @@
 
 namespace lineatlas::gl {
 
-/// Asks GL when its queue comes by (GL_TIMESTAMP queries). Needs its context to be current,
-/// also when it is destroyed.
+/// Time stamps in GL's queue (GL_TIMESTAMP queries). The context must be current, also when the
+/// object is destroyed.
 class TimerQueries {
   public:
     TimerQueries() = default;

@@ -1,7 +1,7 @@
 /* atlas: the visibility of every sample of every segment (§4.2, §4.3), the compute form.
  *
- * One work-item per block of `block` neighbouring samples: it finds the segment of its first sample
- * by bisection and walks on from there.
+ * One work-item per block of `block` neighbouring samples. It finds the segment of its first sample
+ * by bisection and goes on from there.
  *
  * TILED: `depth` holds only a part of the depth buffer, and only samples in its core are computed.
  *

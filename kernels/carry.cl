@@ -1,17 +1,19 @@
 /* carry: texture coordinates of silhouettes carried over from frame to frame.
  *
- * Measured along its chain anew, a silhouette's coordinate shifts whenever another edge of the
- * chain comes or goes, and textures crawl. So every candidate remembers its coordinates, as do the
- * samples of "Coherent stylized silhouettes" (Kalnins et al. 2003) and the vertices of "Active
- * strokes" (Benard et al. 2012), and the next frame's chain takes them over. What is new lies
- * between what is remembered; what was remembered from different places of other chains stays in
- * pieces, a short one taking the coordinates of a longer one beside it. So that nothing stays
- * stretched, coordinates shift towards what the length of the chain says: towards the mean of their
- * neighbours, and slowly towards that of their piece, by no more than `limit`.
+ * If each frame measured coordinates along its chain anew, a silhouette's coordinate would shift
+ * whenever another edge of the chain comes or goes, and textures would crawl. So every candidate
+ * remembers its coordinates, as do the samples of "Coherent stylized silhouettes" (Kalnins et al.
+ * 2003) and the vertices of "Active strokes" (Benard et al. 2012), and the next frame's chain takes
+ * them over. New silhouettes get coordinates between remembered ones. Coordinates that were
+ * remembered from different places of other chains stay in pieces; a short piece takes the
+ * coordinates of a longer one beside it. Textures must not stay stretched. So coordinates shift
+ * towards those of the chain's length: towards the mean of their neighbours, and slowly towards
+ * that of their piece, by no more than `limit`.
  *
- * Lengths are those of the chain with its zigzags smoothed away: along edges of the mesh these come
- * and go. All in 1/256 pixels and whole numbers, the same on every device. Coordinates less lengths
- * are called offsets: of a texture that is not stretched they are the same all along a piece. */
+ * Lengths are those of the chain with its zigzags smoothed away, because zigzags along edges of the
+ * mesh come and go. All lengths are whole numbers of 1/256 pixels, the same on every device. An
+ * offset is a coordinate less its length: if a texture is not stretched, offsets are the same all
+ * along a piece. */
 
 #include "kernels.h"
 #include "run.h"

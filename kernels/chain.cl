@@ -1,13 +1,14 @@
 /* chain: the silhouettes of a frame as paths, in the order in which they follow each other.
  *
- * chain_link finds which silhouette goes on in which other at their common vertices, chain_jump how
- * far it is from each to the ends of its chain (list ranking by pointer jumping: Wyllie 1979), for
- * open chains and loops alike, chain_place its place in the chain, chain_write the segments. All of
- * it is in whole numbers but for what the straightest pair is, and comes out the same whatever the
- * order in which work-items run. A chain is named after its least silhouette, begins there if it is
- * a loop, and runs the way this one does: from frame to frame it stays what it is as long as that
- * edge is a silhouette. Where the frame before is known those come first that it had too, and run
- * as they did: then it stays what it is as long as any of its edges is a silhouette. */
+ * chain_link finds which silhouette goes on in which other at their common vertices. chain_jump
+ * finds how far it is from each silhouette to the ends of its chain, for open chains and loops
+ * alike (list ranking by pointer jumping: Wyllie 1979). chain_place finds each silhouette's place
+ * in the chain, and chain_write writes the segments. All numbers are whole, except in the choice of
+ * the straightest pair, and results do not depend on the order in which work-items run. A chain is
+ * named after its least silhouette, begins there if it is a loop, and runs in the direction of that
+ * one. So a chain keeps its name from frame to frame as long as that edge is a silhouette. If the
+ * frame before is known, its silhouettes come first in the order and keep their direction. Then a
+ * chain keeps its name as long as any of its edges is a silhouette. */
 
 #include "clipping.h"
 #include "kernels.h"

@@ -1,7 +1,8 @@
-/* compact: from visibility per sample to a packed list of what is visible (§4.6).
+/* compact: from the visibility of samples to a packed list of visible runs (§4.6).
  *
- * Maximal visible runs of every segment, with all that the stroke pass needs to draw them, and the
- * indirect draw record. Two steps with the `scan` stage between them: count per block, then write
+ * Writes the maximal visible runs of every segment, with all data that the stroke pass needs, and
+ * the indirect draw record. Two steps with the `scan` stage between them: count per block, then
+ * write
  * from the block's offset. One work-item per block of neighbouring segments. */
 
 #include "kernels.h"

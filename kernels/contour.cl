@@ -1,16 +1,17 @@
 /* contour: silhouettes of smooth surfaces: where the normal, interpolated between the corners of a
- * triangle, is at a right angle to the view (Hertzmann and Zorin 2000). A triangle whose corners
- * differ in that has one segment, from edge to edge; on every edge it lies where the triangle
- * beyond it has it too.
+ * triangle, is at a right angle to the view (Hertzmann and Zorin 2000). A triangle of which some
+ * corners face the eye and some do not has one segment, from edge to edge. On each of the two edges
+ * the segment ends at the same place as that of the triangle beyond.
  *
  * A place on an edge is not on the edge's chord, which runs below the surface, but on the cubic
  * that leaves its ends at right angles to their normals (the borders of PN triangles: Vlachos et
- * al. 2001). Only at a border of the surface it is on the chord, as the line is that goes on there.
- * Beside it stands a place lifted off the surface, by more than triangles reach beyond
- * their contour: methods that know nothing of surfaces ask what is visible of that.
+ * al. 2001). Only at a border of the surface the place is on the chord, because the line that goes
+ * on there is. With each place stands another one, lifted off the surface by more than triangles
+ * reach beyond their contour. Methods that know no surfaces test the visibility of the lifted
+ * place.
  *
- * contour_turn and contour_normals keep normals right of what moves and of what changes its shape.
- * They run only after such a change. */
+ * contour_turn updates the normals of objects that move, contour_normals those of objects that
+ * change their shape. They run only after such a change. */
 
 #include "kernels.h"
 

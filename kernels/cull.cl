@@ -1,8 +1,8 @@
-/* cull: which clusters of triangles may be seen: inside the frustum, and not behind the depth
- * pyramid.
+/* cull: which clusters of triangles may be visible: those inside the frustum and not behind the
+ * depth pyramid.
  *
- * One work-item per cluster. A cluster that is left out would not change a single depth value: all
- * of its box lies behind everything that is there already (Greene et al. 1993). */
+ * One work-item per cluster. A cluster that is left out would not change a single depth value,
+ * because all of its box lies behind the depth that was drawn before (Greene et al. 1993). */
 
 #include "kernels.h"
 #include "screen_box.h"

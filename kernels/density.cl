@@ -1,11 +1,12 @@
-/* density: how much of each line is drawn where too many are (§4.5, Fig. 11; after Grabli, Durand
- * and Sillion 2004, and Cole et al. 2006).
+/* density: how much of each line is drawn where lines are too many (§4.5, Fig. 11; after Grabli,
+ * Durand and Sillion 2004, and Cole et al. 2006).
  *
  * density_lines adds up the drawn length of line per cell of a grid and bin of priority,
- * density_smooth and density_weights smooth it and share the limit out among the bins, first to
- * last, density_excess finds where that leaves too much, and the limit is shared out again. Lengths
- * are summed as integers: the same in any order. Everything is continuous in what the camera moves,
- * so that lines fade and do not pop: length is shared out between cells and bins. */
+ * density_smooth and density_weights smooth these lengths and share the limit out among the bins,
+ * first to last. density_excess finds where too much is left, and the limit is shared out again.
+ * Lengths are summed as integers, so the order does not matter. A line's length is shared out
+ * between cells and bins, so that weights change continuously with the camera, and lines fade and
+ * do not pop. */
 
 #include "kernels.h"
 

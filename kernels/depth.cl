@@ -1,16 +1,16 @@
-/* depth: how near the triangles are in every texel (§3.2), the compute form.
+/* depth: the depth of the triangles in every texel (§3.2), the compute form.
  *
  * Three steps. Clusters of triangles get their place on the screen, are sorted front to back, and
- * drawn into tiles of the depth buffer. A work-item has one tile at a time, in local memory with
- * rows a little longer than the tile (a power of two would put all of a column into a few lines of
- * the cache), and takes the next when it is done. It leaves out clusters and triangles that lie
- * behind the farthest depth of all blocks of texels they touch (Greene et al. 1993). What is
- * covered is decided as GL does it: by texel centres, in fixed point, and an edge of two triangles
- * belongs to one of them.
+ * drawn into tiles of the depth buffer. A work-item draws one tile at a time, in local memory, and
+ * takes the next one when it is done. Rows of that memory are a little longer than the tile,
+ * because with a power of two all of a column would fall into a few lines of the cache. The
+ * work-item leaves out clusters and triangles that lie behind the farthest depth of all blocks of
+ * texels they touch (Greene et al. 1993). Coverage is decided as GL does it: by texel centres, in
+ * fixed point, and an edge of two triangles belongs to one of them.
  *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
- * once, and texels that are filled, 1 on GPUs. NUMBERED: each texel gets the number of the triangle
- * it shows, too. */
+ * once, and texels that are filled at once, 1 on GPUs. NUMBERED: each texel also gets the number of
+ * the triangle that it shows. */
 
 #define LANES DEPTH_LANES
 #include "depth_triangle.h"

@@ -1,7 +1,7 @@
 /* facing: which triangles show their front to the eye.
  *
- * One work-item per triangle. Computed once per triangle and not once per edge, so that the edges
- * of a triangle agree and silhouettes of a closed mesh close (§3.1, §4.1). */
+ * One work-item per triangle. The facing is computed once per triangle and not once per edge, so
+ * that the edges of a triangle agree and silhouettes of a closed mesh close (§3.1, §4.1). */
 
 #include "clipping.h"
 #include "kernels.h"

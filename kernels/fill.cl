@@ -1,7 +1,7 @@
 /* fill: the colours under the lines, by the triangle that each texel of the depth buffer shows.
  *
- * Two steps. Triangles of clusters that are seen get their colour, once each; then each pixel the
- * mean of its texels', so that edges are as smooth as the depth buffer is fine.
+ * Two steps. First each triangle of a visible cluster gets its colour. Then each pixel gets the
+ * mean of its texels' colours, so that edges are as smooth as the depth buffer is fine.
  *
  * DEPTH_LANES: triangles at once, 1 on GPUs. */
 

@@ -1,11 +1,11 @@
 /* filter: changes visible strokes along their paths (§4.5): closes short holes, drops short runs,
  * lets strokes overshoot or fall short of their ends, and cuts gaps into them beside nearer lines.
- * Never from one path to another.
+ * A change never goes from one path to another.
  *
- * Works on intervals of arc length, not on samples: ends lie where the visible share of their
- * sample says, and lengths are exact. One work-item per run; the first run of a path does all of
- * its path. Three steps: count the runs that result (and scan the counts), write them, show their
- * samples. */
+ * It works on intervals of arc length, not on samples: the visible share of the sample at an end
+ * says where the end lies, so lengths are exact. One work-item per run; that of a path's first run
+ * does the whole path. Three steps: count the resulting runs (and scan the counts), write them, set
+ * the visibility of their samples. */
 
 #include "kernels.h"
 #include "run.h"

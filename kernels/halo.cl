@@ -2,11 +2,12 @@
  *
  * Runs are listed by the tiles of the picture that they pass: counted, `scan`, filled in. Each run
  * is then tested against the lists of its own tiles. Lists are in no particular order, and a pair
- * that shares several tiles is found several times: the cuts of a run are kept as a sorted set.
+ * of runs that shares several tiles is found several times. So the cuts of a run are kept as a
+ * sorted set.
  *
- * Work-items take runs in turns: how many there are is known on the device alone.
+ * Work-items take runs in turns, because the number of runs is known only on the device.
  *
- * HALO_LANES: how many lines of a list are looked at in one go, 1 on GPUs. */
+ * HALO_LANES: how many lines of a list are tested at once, 1 on GPUs. */
 
 #include "kernels.h"
 #include "run.h"

@@ -1,10 +1,11 @@
-/* intervals: what is visible of every segment and what is hidden, for the readback (§4.6), with
- * ends between the samples.
+/* intervals: the visible and the hidden parts of every segment, for the readback (§4.6), with ends
+ * between the samples.
  *
  * Three steps: count the intervals of every block of segments (and scan the counts), write them
  * with their ends where neighbouring samples differ, narrow every end down against the depth
- * buffer. Where two segments of a path differ, visibility may change on either side of their joint:
- * each gets an interval for its half sample there, of no length if the change is on the other side.
+ * buffer. If two neighbouring segments of a path differ, visibility may change on either side of
+ * their joint. So each segment gets an interval for its half sample at the joint, of no length if
+ * the change is on the other side.
  *
  * PROBE_VECTORS: as in atlas.cl. */
 

@@ -1,18 +1,19 @@
-/* outline: which parts of lines have the background on one side, and on the other one a body that
- * is some pixels deep: a rope is no outline of itself. A place of a line has the background beside
- * it where a place there, infinitely far away, is hidden by nothing.
+/* outline: which parts of lines have the background on one side, and a body on the other side that
+ * is some pixels deep, so that a rope is no outline of itself. A place of a line has the background
+ * beside it if an infinitely far point beside it is not hidden.
  *
- * Of the exact method (exact.h): every segment that is seen, be it in part, is pushed out to either
- * side, and what is beside the background then is pushed to the other one. `visible` finds what of
- * that is seen, and so parts are cut, with continuous ends. Of the segment atlas: the depth buffer
- * is looked at beside the middle of every sample.
+ * By the exact method (exact.h) every segment that is at least partly visible is moved to either
+ * side. Parts that are beside the background there are moved to the other side. `visible` finds the
+ * visible parts of the moved segments, so ends of outlines are continuous. By the segment atlas the
+ * depth buffer is read beside the middle of every sample.
  *
- * Either way they are parts of segments, in the units of runs: samples of the segment, or 0 to 1.
- * Several of one segment may overlap, and are in no order.
+ * Outlines are parts of segments, in the units of runs: samples of the segment, or 0 to 1. Several
+ * parts of one segment may overlap, and are in no order.
  *
- * Towards a corner of less than a right angle a body is not deep any more. What is left of the
- * segment there is outline like the part before it, if it is no longer than that, and than
- * LA_OUTLINE_CORNER times the depth asked for: so the outline of a wedge of 20 degrees is whole. */
+ * Towards a corner of less than a right angle a body is no longer deep enough. The rest of the
+ * segment there is outline like the part before it, if it is no longer than that part and no longer
+ * than LA_OUTLINE_CORNER times the wanted depth. So the outline of a wedge of 20 degrees is whole.
+ * */
 
 #include "atlas_samples.h"
 #include "exact.h"

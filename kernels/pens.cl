@@ -1,5 +1,5 @@
-/* pens: which pen draws which run. A run of which a part is outline (outline.cl) is divided where
- * that begins and ends; what it was a part of stays one stroke.
+/* pens: which pen draws which run. If a part of a run is outline (outline.cl), the run is divided
+ * where that part begins and ends. The pieces stay parts of one stroke.
  *
  * Two steps with a scan between them: count the pieces of each run, then write them in the order of
  * the runs. */

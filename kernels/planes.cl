@@ -1,6 +1,6 @@
-/* planes: the plane of every triangle as the screen sees it, for probes that know surfaces.
+/* planes: the plane of every triangle in screen coordinates, for probes that know surfaces.
  *
- * On the screen the nearness of a plane (1/w, or 1 - z of a parallel view: what grows towards the
+ * On the screen the nearness of a plane (1/w, or 1 - z in a parallel view; it grows towards the
  * eye) is linear. One work-item per cluster of triangles, so that vertices are fetched once.
  *
  * DEPTH_LANES: triangles at once, 1 on GPUs. */

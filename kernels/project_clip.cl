@@ -1,7 +1,8 @@
 /* project_clip: segments to clip space, clipped to the frustum, with their sample counts (§4.1).
  *
- * project_clip_boxes, project_clip_batches: one work-item per batch of segments; the first after
- * the model has changed, the second in every frame. project_clip: one per segment. Every operation
+ * project_clip_boxes, project_clip_batches: one work-item per batch of segments. The first runs
+ * after the model has changed, the second in every frame. project_clip: one work-item per segment.
+ * Every operation
  * is written out in a fixed order without contraction, so that sample counts are equal bit by bit
  * on every device. */
 

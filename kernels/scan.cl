@@ -2,12 +2,13 @@
  * there).
  *
  * values holds n inputs and room for one more: afterwards values[i] is the sum of the inputs before
- * i and values[n] the total. Two forms of one algorithm: chunks, each summed serially by one
- * work-item, for CPU devices; tiles in local memory, one per work-group, for GPUs. Neither relies
- * on work-groups waiting for each other, for which OpenCL promises no progress.
+ * i and values[n] the total. There are two forms of one algorithm. For CPU devices chunks are each
+ * summed serially by one work-item. For GPUs tiles in local memory are summed by one work-group
+ * each. Neither form needs work-groups that wait for each other, for which OpenCL promises no
+ * progress.
  *
- * SCAN_SATURATE 1: the sum stops at 0xFFFFFFFF, so that a total too large to count is seen as such.
- * SCAN_SATURATE 0: the sum wraps; differences stay right (arc lengths). */
+ * SCAN_SATURATE 1: the sum stops at 0xFFFFFFFF, so that a total that is too large is recognised.
+ * SCAN_SATURATE 0: the sum wraps around; differences of sums stay right (arc lengths). */
 
 #ifndef SCAN_SATURATE
 #error "SCAN_SATURATE must be 0 or 1"
@@ -15,8 +16,8 @@
 
 #include "kernels.h"
 
-/* Stream compaction (§4.6): list[k]: the k-th of those inputs that were 1, of none but these and 0;
- * values: scanned. One work-item per input. */
+/* Stream compaction (§4.6). The inputs were 0 or 1 and have been scanned in place into `values`.
+ * Writes list[k], the index of the k-th input that was 1. One work-item per input. */
 KERNEL(scan_list, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i < args.count && values[i + 1] != values[i]) list[values[i]] = i;

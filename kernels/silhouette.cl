@@ -1,6 +1,7 @@
 /* silhouette: which candidates are silhouettes in this frame (§3.1, §4.1).
  *
- * One work-item per candidate that may be one, but for contours, which `contour` numbers. */
+ * One work-item per candidate that may be a silhouette, except contours, which `contour` numbers.
+ * */
 
 #include "silhouette.h"
 

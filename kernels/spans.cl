@@ -1,9 +1,10 @@
 /* spans: from the visible parts of segments (visible.cl) to runs, as `compact` makes them of
- * samples, and to intervals, as `intervals` does (§4.6). What lies between visible parts is hidden.
+ * samples, and to intervals, as `intervals` makes them (§4.6). Parts between visible parts are
+ * hidden.
  *
- * Positions along a segment count from 0 to 1, as of a single sample; there is none in the atlas.
- * Two steps each, with a scan between them: count per block of segments, then write. One work-item
- * per block. */
+ * Positions along a segment go from 0 to 1, as if it had a single sample; the atlas has none. Runs
+ * and intervals take two steps each, with a scan between them: count per block of segments, then
+ * write. One work-item per block. */
 
 #include "kernels.h"
 #include "run.h"

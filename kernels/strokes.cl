@@ -2,10 +2,10 @@
  *
  * Runs are listed by the tiles of the picture that they touch, in their order: counted per tile
  * and chunk of runs, `scan`, listed. Then every tile is drawn: one run over the other, as GL would.
- * What comes of it is a byte per pixel; the colour is the same for all of a pen.
+ * The result is a byte of coverage per pixel and pen; all strokes of a pen have one colour.
  *
- * strokes_count, strokes_list: one work-item per chunk. strokes_tiles: one per tile, which it has
- * in local memory, or, with DEPTH_LANES 1, one per pixel. */
+ * strokes_count, strokes_list: one work-item per chunk. strokes_tiles: one work-item per tile,
+ * which is in local memory, or, with DEPTH_LANES 1, one per pixel. */
 
 #define LANES DEPTH_LANES
 #include "stroke.h"

@@ -1,11 +1,11 @@
-/* surfaces: the model as the exact method sees it: corners and faces on the screen, planes in
- * space, and what hides a whole tile.
+/* surfaces: the model as the exact method needs it: corners and faces on the screen, planes in
+ * space, and faces that hide a whole tile.
  *
  * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. surfaces_boxes,
- * surfaces_occluders, surfaces_batches: one per batch of triangles, the first after the model has
- * changed; the last for batches of segments too. Where there are batches the kernels run in the
- * order boxes, vertices, occluders, batches, faces, and what is hidden by the batch has no faces;
- * else faces finds occluders, too. */
+ * surfaces_occluders, surfaces_batches: one per batch of triangles. surfaces_boxes runs only after
+ * the model has changed; surfaces_batches also runs for batches of segments. If there are batches,
+ * the kernels run in the order boxes, vertices, occluders, batches, faces, and a batch that is
+ * hidden has no faces. Without batches surfaces_faces finds the occluders, too. */
 
 #include "batches.h"
 #include "exact.h"

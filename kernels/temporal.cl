@@ -2,7 +2,8 @@
  *
  * Where a line runs along something that hides a part of its width, its visibility depends on where
  * the two fall between the texels of the depth buffer, and changes at random from frame to frame. A
- * moving average over frames, each sample found again by its place on the line, takes that out.
+ * moving average over frames removes these changes; each sample is found again by its place on the
+ * line.
  *
  * One work-item per block of `block` neighbouring segments. */
 

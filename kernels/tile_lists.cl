@@ -2,13 +2,14 @@
  * in groups of LA_GROUP with a box around each. Faces of one key are in the order of the model, so
  * that lists are equal on every device.
  *
- * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them a scan of
- * the counts, of each tile and chunk. Or one per slice of each triangle, every so many rows of its
- * tiles; then counts are of each tile alone, and the entries of a tile stand in any order.
+ * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them the counts
+ * of each tile and chunk are scanned. Or one work-item per slice of each triangle, which is a
+ * number of rows of its tiles; then counts are those of tiles, and the entries of a tile are in any
+ * order.
  *
- * Then one work-item per tile (tile_lists_arrange), or, where triangles have slices, one per entry
- * (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort, tile_lists_write), per group
- * (tile_lists_boxes) and per tile (tile_lists_behind), which does the same. */
+ * Then tile_lists_arrange has one work-item per tile. With slices other kernels do the same: one
+ * work-item per entry (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort,
+ * tile_lists_write), per group (tile_lists_boxes) and per tile (tile_lists_behind). */
 
 #include "exact.h"
 

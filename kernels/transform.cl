@@ -1,8 +1,9 @@
 /* transform: moves the objects of a model by a matrix each (§4.1). Runs only in frames after a
  * change.
  *
- * transform: the vertices. transform_boxes: the boxes of the clusters. transform_bounds: those
- * boxes anew, of a model whose shape has changed. transform_forget: what temporal must not average.
+ * transform moves the vertices, transform_boxes the boxes of the clusters. transform_bounds makes
+ * these boxes anew if the shape of the model has changed. transform_forget marks lines that
+ * `temporal` must not average.
  */
 
 #include "kernels.h"

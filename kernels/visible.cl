@@ -1,15 +1,16 @@
-/* visible: what is seen of every segment, cut against the faces before it (tile_lists.cl), with
+/* visible: the visible parts of every segment, cut by the faces before it (tile_lists.cl), with
  * continuous ends.
  *
- * One work-item per segment, which goes from tile to tile. Two steps: count what is visible of each
- * segment, and keep the first two parts of it; from the scanned counts on, write all parts. The few
- * segments with more parts are done again.
+ * One work-item per segment, which goes from tile to tile. Two steps: first count the visible parts
+ * of each segment and keep the first two of them; then, after a scan of the counts, write all
+ * parts. The few segments with more than two parts are cut again.
  *
- * Or one per piece, a segment in a tile (Tuning::face_lists), since a GPU would wait for the
- * longest segment: visible_pieces counts them, visible_cut counts their parts, visible_parts writes
- * these, and visible_join and visible_spans put those of a segment together.
+ * Or one work-item per piece, which is a segment in a tile (Tuning::face_lists), since a GPU would
+ * wait for the longest segment. visible_pieces counts pieces, visible_cut counts their visible
+ * parts, visible_parts writes these parts, and visible_join and visible_spans join those of a
+ * segment.
  *
- * FACE_LANES: how many faces are looked at in one go, 1 on GPUs. */
+ * FACE_LANES: how many faces are tested at once, 1 on GPUs. */
 
 #define LANES FACE_LANES
 #include "exact.h"

@@ -10,7 +10,7 @@
 
 namespace lineatlas::interop {
 
-/// Of memory that a Vulkan device exports and both GL and OpenCL import
+/// Objects of memory that a Vulkan device exports and both GL and OpenCL import
 /// (GL_EXT_memory_object_fd, cl_khr_external_memory_opaque_fd). The host waits for both:
 /// semaphores took longer where they were tried (docs/interop.md).
 class ExternalObjects final : public OpenedObjects {

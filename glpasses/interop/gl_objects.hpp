@@ -5,8 +5,8 @@
 
 namespace lineatlas::interop {
 
-/// Of GL's own (cl_khr_gl_sharing). Where the device lists cl_khr_gl_event, OpenCL waits for GL
-/// commands and GL for OpenCL's, without the host.
+/// Objects of GL that OpenCL opens (cl_khr_gl_sharing). If the device lists cl_khr_gl_event, OpenCL
+/// waits for GL commands and GL for OpenCL's, without the host.
 class GlObjects final : public OpenedObjects {
   public:
     /// `device` must outlive it.

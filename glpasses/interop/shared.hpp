@@ -4,8 +4,8 @@ struct _cl_mem;
 
 namespace lineatlas::interop {
 
-/// What GL passes and compute stages use in turn. It belongs to GL when made; `Sharing`
-/// (sharing.hpp) passes it to and fro, and it knows whose it is and what must come along.
+/// Memory that GL passes and compute stages use in turn. It belongs to GL when made. `Sharing`
+/// (sharing.hpp) passes it to and fro; the object knows which side has it and what must be copied.
 class Shared {
   public:
     virtual ~Shared() = default;

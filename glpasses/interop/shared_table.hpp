@@ -12,8 +12,9 @@
 
 namespace lineatlas::interop {
 
-/// A table that kernels and GL passes use in turn. It goes to the side that asks for it, with what
-/// the other side has written since: each side asks whenever it is about to use it.
+/// A table that kernels and GL passes use in turn. The table goes to the side that asks for it,
+/// with everything that the other side has written since. Each side asks whenever it is about to
+/// use the table.
 class SharedTable {
   public:
     /// Without any room. `sharing` and `name` must outlive it.

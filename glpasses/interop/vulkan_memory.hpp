@@ -8,7 +8,7 @@
 
 namespace lineatlas::interop {
 
-/// How GL, OpenCL and Vulkan name one and the same device.
+/// The identity of a device in GL, OpenCL and Vulkan.
 using DeviceUuid = std::array<std::uint8_t, 16>;
 
 /// Memory that a Vulkan device exports (VK_KHR_external_memory_fd), for others to import.

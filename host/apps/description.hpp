@@ -7,9 +7,9 @@
 
 namespace lineatlas::apps {
 
-/// What was drawn, as a command that draws it again but for the camera: the name of the model or
-/// scene and every option of `draw` that was given and changes the picture. One line. `sections`:
-/// what stands for --section. `deflection`: that exact surfaces were read with; 0: there are none.
+/// A command that draws the same again, without the camera: the name of the model or scene and
+/// every given option of `draw` that changes the picture. One line. `sections`: the values for
+/// --section. `deflection`: the one with which exact surfaces were read; 0: there are none.
 std::string describe_drawing(const CLI::App& app, const std::string& model,
                              const std::vector<std::string>& sections, double deflection);
 

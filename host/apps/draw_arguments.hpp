@@ -22,7 +22,7 @@
 
 namespace lineatlas::apps {
 
-/// The command line of `draw` as written; what is empty was not given.
+/// The command line of `draw` as written; an empty member was not given.
 struct DrawArguments {
     std::string model, scene, output;
     std::string session;                       ///< that MODEL named

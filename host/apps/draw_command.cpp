@@ -367,7 +367,7 @@ Command setup_draw(CLI::App& app) {
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model,
                    "OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file, or a session "
-                   "of the viewer (TOML), from which options here differ");
+                   "of the viewer (TOML), whose values options here override");
     app.add_option(
            "-o,--output", a.output,
            "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG, PDF, DXF or JSON")
@@ -378,8 +378,8 @@ Command setup_draw(CLI::App& app) {
                    "A built-in scene in place of MODEL: clevis, house, ship, office")
         ->group(model);
     app.add_option("--crease", a.crease,
-                   "All edges bent by more degrees than this are creases; auto: by more than 30, "
-                   "but for noise of scanned or sculpted surfaces, and for seams")
+                   "Edges bent by more degrees than this are creases; auto: by more than 28.8, "
+                   "except noise of scanned or sculpted surfaces, and seams")
         ->capture_default_str()
         ->group(model);
     app.add_option("--silhouettes", a.silhouettes,
@@ -396,7 +396,7 @@ Command setup_draw(CLI::App& app) {
            "default a quarter of a pixel")
         ->group(model);
     app.add_flag("--smooth-edges", a.smooth_edges,
-                 "Of STEP, IGES and BREP files draw edges where faces go over into each other, too")
+                 "With STEP, IGES and BREP files also draw edges where faces meet smoothly")
         ->group(model);
     a.parts.declare(app, model);
 
@@ -436,8 +436,8 @@ Command setup_draw(CLI::App& app) {
         app.get_option(form)->group(measuring);
     app.add_option(
            "--repeat", a.repeat,
-           "Frames to measure for --stats, --profile and --kernels; medians are printed. Of "
-           "--stats every other frame is whole, the others wait after each stage")
+           "Frames to measure for --stats, --profile and --kernels; medians are printed. With "
+           "--stats every other frame is drawn whole, the others with a wait after each stage")
         ->capture_default_str()
         ->group(measuring);
 

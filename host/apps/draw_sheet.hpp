@@ -6,7 +6,7 @@
 
 namespace lineatlas::apps {
 
-/// What sheets are drawn with unless --style is given.
+/// The style of sheets unless --style is given.
 inline constexpr const char* sheet_style = "technical";
 
 /// `draw --views`: several views of one model on a page. What is wrong on the command line has been

@@ -8,7 +8,7 @@
 
 namespace lineatlas::apps {
 
-/// Passes frames on to `output` and finds those without a line, and why.
+/// Passes frames on to `output`, and finds out which have no line and why.
 class EmptyFrames final : public FrameOutput {
   public:
     /// `kinds`: of `lines`, which are those of `output` and outlive this.

@@ -7,9 +7,9 @@
 namespace lineatlas::apps {
 
 /// What the compiler made of a kernel: its loops, with how many numbers each works on at once, as
-/// lines of comments; then all its instructions. `device`: of OpenCL, as find_opencl_devices takes
-/// it; empty: the kernel as C++. Throws UsageError for a kernel that has no C++, Error without
-/// objdump or where a driver hands out neither text nor a library, DeviceError if it does not
+/// lines of comments; then all its instructions. `device`: an OpenCL device, as find_opencl_devices
+/// takes it; empty: the kernel as C++. Throws UsageError for a kernel without C++, Error without
+/// objdump or if a driver returns neither text nor a library, DeviceError if the kernel does not
 /// build.
 std::string assembly_of(const compute::Kernel& kernel, const std::string& device);
 

@@ -9,8 +9,8 @@
 
 namespace lineatlas::apps {
 
-/// What `lineatlas info` says of a model, as an object; docs/input.md has its members. `lines`: of
-/// its mesh.
+/// The output of `lineatlas info` for a model as a JSON object; docs/input.md has its members.
+/// `lines`: the lines of its mesh.
 nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded,
                                       const LineSet& lines);
 

@@ -5,7 +5,7 @@
 
 namespace lineatlas::apps {
 
-/// Says notes on stderr, in one line.
+/// Prints notes on stderr, in one line.
 void print_notes(const std::vector<std::string>& notes);
 
 } // namespace lineatlas::apps

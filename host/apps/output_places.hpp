@@ -7,8 +7,8 @@
 
 namespace lineatlas::apps {
 
-/// Where the files of one command lie, links followed: nothing that is read may be written, and no
-/// file may be written for two options.
+/// The places of one command's files, with links followed. A file that is read must not be written,
+/// and no file may be the output of two options.
 class OutputPlaces {
   public:
     /// A file that is read; what is none is left alone.

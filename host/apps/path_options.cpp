@@ -51,20 +51,20 @@ void PathOptions::declare(CLI::App& app) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--curves", curves_,
-                   "What STEP, IGES and BREP files know to be round: as arcs of circles and "
-                   "ellipses and as cubic curves (auto) or as chords (none)")
+                   "Circles, ellipses and curves of STEP, IGES and BREP files: as arcs and cubic "
+                   "curves (auto) or as chords (none)")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str()
         ->group(group);
     app.add_flag("--fit-arcs", fit_arcs_,
-                 "Write of other lines, too, what is round within 0.02 pixels as circles and arcs")
+                 "Find circles and arcs in other lines, too, within 0.02 pixels")
         ->group(group);
     app.add_flag("--plotter", plotter_, "Order and join paths for the least travel of a pen")
         ->group(group);
     app.add_flag("--no-tags", no_tags_, "Leave out which edges of the model each path shows")
         ->group(group);
     app.add_flag("--certify", certify_,
-                 "Check the drawing by rays; what they find is printed and written into the file")
+                 "Check the drawing by rays; the result is printed and written into the file")
         ->group(group);
 }
 
@@ -86,7 +86,7 @@ void PathOptions::check(const std::filesystem::path& output, Method method) cons
         refuse(not_in_millimetres, "is for SVG; DXF and PDF have units of their own and no tags");
     if (type == PathFile::pdf) check_pdf_module();
     if (method != Method::atlas && method != Method::exact) {
-        throw UsageError("--method: paths come from atlas and exact alone");
+        throw UsageError("--method: only atlas and exact make paths");
     }
     svg();
     if (certify_) check_ray_module();
@@ -102,7 +102,7 @@ void PathOptions::check_sheet(const std::filesystem::path& output, Method method
     const std::optional<PathFile> type = path_file_type(output);
     if (type) refuse(only_for_pixels, "is for pictures of pixels; see --page");
     if (type != PathFile::svg) refuse(only_for_svg, "is for SVG alone, which has tags");
-    if (method != Method::exact) throw UsageError("--method: a sheet comes from exact alone");
+    if (method != Method::exact) throw UsageError("--method: only exact makes a sheet");
     svg();
 }
 

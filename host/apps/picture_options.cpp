@@ -15,8 +15,8 @@ void PictureOptions::declare(CLI::App& app) {
     app.add_flag("--transparent", transparent_, "Leave the paper out: PNG, TIFF and EXR")
         ->group(group);
     app.add_option("--tile", tile_,
-                   "Draw by tiles of so many pixels a side, with less memory; done anyway where GL "
-                   "cannot draw the picture in one piece")
+                   "Draw by tiles of so many pixels a side, with less memory; also done without "
+                   "this option if GL cannot draw the picture in one piece")
         ->group(group);
 }
 

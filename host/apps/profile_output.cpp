@@ -55,7 +55,7 @@ void ReportOption::write(
 void ProfileOptions::declare(CLI::App& app, const std::string& group) {
     ReportOption::declare(app,
                           "Where a frame's time goes: .json for Perfetto or chrome://tracing, "
-                          ".csv, or - for a table; may be given again",
+                          ".csv, or - for a table; may be given several times",
                           group);
 }
 
@@ -68,11 +68,11 @@ void ProfileOptions::write(std::span<const FrameProfile> frames,
 }
 
 void KernelOptions::declare(CLI::App& app, const std::string& group) {
-    ReportOption::declare(app,
-                          "Why each kernel takes its time: what it moves and computes, counted, "
-                          "beside what the machine can; .json, .csv, .svg for a roofline, or - for "
-                          "a table; may be given again",
-                          group);
+    ReportOption::declare(
+        app,
+        "Why each kernel takes its time: its bytes and operations, compared with what the machine "
+        "reaches; .json, .csv, .svg for a roofline, or - for a table; may be given several times",
+        group);
 }
 
 void KernelOptions::write(std::span<const FrameProfile> frames, Renderer& renderer,

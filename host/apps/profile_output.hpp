@@ -14,7 +14,8 @@
 
 namespace lineatlas::apps {
 
-/// An option whose value is a file of some extension or, as "-", the terminal; may be given again.
+/// An option whose value is a file of some extension or, as "-", the terminal. It may be given
+/// several times.
 class ReportOption {
   public:
     /// `extensions`: with their dots.

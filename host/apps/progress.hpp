@@ -5,8 +5,8 @@
 
 namespace lineatlas::apps {
 
-/// How far a sequence is, on standard error: one line on a terminal, rewritten with every frame;
-/// elsewhere a line now and then.
+/// Prints the progress of a sequence on standard error: on a terminal one line that every frame
+/// rewrites, elsewhere a line from time to time.
 class Progress {
   public:
     /// `total`: frames to draw.

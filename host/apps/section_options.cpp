@@ -21,8 +21,9 @@ void SectionOptions::declare(CLI::App& app, const std::string& group) {
     app_ = &app;
     app.add_option("--section", planes_,
                    "Cut the model by a plane, up to six times: x=0.3, -y=50% (of the model), or "
-                   "X,Y,Z/NX,NY,NZ (point and normal). What is beyond it is left out: with + or - "
-                   "before the axis there, with neither what lies towards the eye")
+                   "X,Y,Z/NX,NY,NZ (point and normal). One side is cut away: with + before the "
+                   "axis that of larger coordinates, with - that of smaller ones, with neither the "
+                   "side towards the eye")
         ->type_name("PLANE")
         ->take_all()
         ->expected(1)

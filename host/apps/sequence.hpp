@@ -13,9 +13,9 @@ struct SequenceFrame {
     Camera camera;
 };
 
-/// Draws the frames in their order, with progress on standard error. `resume`: those whose files
-/// are there already, whole, are left as they are. Throws Stopped after SIGINT or SIGTERM, between
-/// two frames, with every file that was begun whole; and Error.
+/// Draws the frames in their order, with progress on standard error. `resume`: frames whose files
+/// exist and are whole are skipped. Throws Stopped after SIGINT or SIGTERM, between two frames,
+/// when every file that was begun is whole; and Error.
 void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, bool resume);
 
 } // namespace lineatlas::apps

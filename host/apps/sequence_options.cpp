@@ -37,8 +37,7 @@ void SequenceOptions::declare(CLI::App& app) {
                    "Which frames to draw: 7, 0-99, 0-99x5 (each fifth), 3-x5 (each fifth from 3 to "
                    "the end), or a list of these with commas; default all")
         ->group(group);
-    app.add_flag("--resume", resume_, "Leave frames whose files are there already, whole")
-        ->group(group);
+    app.add_flag("--resume", resume_, "Skip frames whose files exist and are whole")->group(group);
 }
 
 bool SequenceOptions::given(const std::string& output) const {

@@ -12,8 +12,8 @@
 
 namespace lineatlas::apps {
 
-/// What `draw --views` has beside other pictures: --field, and what --views, --projection, --scale
-/// and --page say of a sheet.
+/// The arguments of `draw --views` that other pictures do not have: --field, and --views,
+/// --projection, --scale and --page for a sheet.
 class SheetArguments {
   public:
     /// `app` must outlive this object, and this object the parsing.

@@ -11,7 +11,7 @@
 
 namespace lineatlas::apps {
 
-/// What is drawn, and the view on it unless the command line says another.
+/// The model or scene that is drawn, and its view unless the command line gives another one.
 struct Subject {
     std::string name;
     Mesh mesh;

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// A box around positions as a file, or a program, has them.
+/// A box around exact positions, as a file or a program gives them.
 struct ExactBounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};

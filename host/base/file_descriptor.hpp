@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// Owns one, and closes it; moved, never copied.
+/// Owns a file descriptor and closes it; can be moved, but not copied.
 class FileDescriptor {
   public:
     /// -1: none, as system calls say it.

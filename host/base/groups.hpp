@@ -10,8 +10,8 @@
 
 namespace lineatlas {
 
-/// Items by a number that each has, as the triangles at a vertex. Several threads put them in
-/// place, so those of one number are in any order: whoever needs one sorts them.
+/// Items grouped by a number that each has, as triangles are by a vertex. Several threads put items
+/// in place, so the items of one number are in any order; sort them if the order matters.
 template <class Item>
 class Groups {
   public:

@@ -10,8 +10,8 @@
 
 namespace lineatlas {
 
-// Work on all cores. Pieces are the same however many cores there are, and so is what comes out
-// where pieces write to places of their own. Built without oneTBB, the calling thread does it all.
+// Work on all cores. The pieces do not depend on the number of cores, nor do the results if each
+// piece writes to places of its own. Without oneTBB the calling thread does all the work.
 
 /// Calls work(first, end) for pieces of [0, count), of `piece` elements each but for the last, in
 /// any order and on several threads at once. The calling thread takes part. Throws what a piece

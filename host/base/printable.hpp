@@ -6,8 +6,8 @@
 
 namespace lineatlas {
 
-// Text for people: messages, and what a program prints. Names in files are bytes, and a terminal
-// obeys some of them.
+// Text for people: messages and other output. Names in files are bytes, and some bytes are commands
+// to a terminal.
 
 /// Longest message, in bytes.
 inline constexpr std::size_t longest_message = 2000;

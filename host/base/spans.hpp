@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// From one place along a line to another.
+/// A part of a line, from one place along it to another.
 struct Span {
     double from, to;
 };

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// A unit of length on paper, and how many pixels of CSS, 96 to an inch, are in one of it.
+/// A unit of length on paper, with its length in CSS pixels, 96 to an inch.
 struct NamedUnit {
     std::string_view name;
     double pixels;

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// Disjoint sets of vertices, or of whatever else is numbered.
+/// Disjoint sets of vertices, or of other numbered things.
 class VertexSets {
   public:
     explicit VertexSets(std::size_t count) : parent_(count) {

@@ -7,9 +7,9 @@
 
 namespace lineatlas {
 
-/// The keyframes of a JSON file (docs/output.md). What the first key leaves out is taken from
-/// `defaults`, what others leave out from the key before. `origin` is taken off all points. Throws
-/// FileError that names the file, the key and the way out.
+/// The keyframes of a JSON file (docs/output.md). Members that the first key leaves out are taken
+/// from `defaults`, those that others leave out from the key before. `origin` is subtracted from
+/// all points. Throws FileError that names the file, the key and the way out.
 CameraPath read_camera_path(const std::filesystem::path& file, const View& defaults,
                             glm::dvec3 origin = glm::dvec3{0});
 

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// --compute, --device and --interop. `options` lives as long as `app`.
+/// Declares --compute, --device and --interop. `options` must outlive `app`.
 void declare_device(CLI::App& app, DeviceOptions& options, const std::string& group = "Device");
 
 } // namespace lineatlas

@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// As many files make one scene.
+/// The largest number of files that make one scene.
 inline constexpr std::size_t most_models = 100;
 
 struct NamedModel {

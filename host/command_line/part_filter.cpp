@@ -33,8 +33,8 @@ std::string listed(const std::vector<PartPath>& paths) {
 
 void PartFilter::declare(CLI::App& app, const std::string& group) {
     app.add_option("--only", only_,
-                   "Draw only parts of this name (and what is in them); * and ? stand for any "
-                   "letters; may be given several times")
+                   "Draw only parts of this name (and the parts inside them); * and ? stand for "
+                   "any letters; may be given several times")
         ->allow_extra_args(false)
         ->group(group);
     app.add_option("--hide", hidden_, "Leave out parts of this name, likewise")

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// --read-memory and --read-seconds: what the process that reads a file may take.
+/// --read-memory and --read-seconds: limits of the process that reads a file.
 class ReadOptions {
   public:
     void declare(CLI::App& app);

@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// A new folder under the temporary directory, which is gone with this. Throws Error.
+/// A new folder under the temporary directory, which is removed with this object. Throws Error.
 class Scratch {
   public:
     Scratch() {

@@ -5,7 +5,7 @@
 
 namespace lineatlas {
 
-/// Whether there is a program of that name in the folder of the running one.
+/// True if the folder of the running program has a program of that name.
 bool has_sibling(const std::string& name);
 
 /// Replaces this process by the program `name` in the folder of the running one. Throws Error,

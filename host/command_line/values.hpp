@@ -11,7 +11,7 @@
 
 #include "lineatlas/lines.hpp"
 
-// Values as they stand on the command line. Each parser throws UsageError, naming `option`.
+// Values on the command line. Each parser throws UsageError that names `option`.
 namespace lineatlas {
 
 glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "1024x768"

@@ -53,7 +53,7 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
     app.add_option("--eye", eye_, "Position of the eye: X,Y,Z")->group(group);
     app.add_option("--target", target_, "The point looked at: X,Y,Z")->group(group);
     app.add_option("--up", up_,
-                   "Upward axis of the model: x, y, z or X,Y,Z; auto looks how it stands")
+                   "Upward axis of the model: x, y, z or X,Y,Z; auto guesses from its shape")
         ->capture_default_str()
         ->group(group);
     app.add_option("--fov", fov_, "Vertical field of view in degrees")
@@ -69,14 +69,13 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
                    "a scale bar, and a summary of the model as JSON on stdout")
         ->group(group);
     app.add_option("--projection", projection_,
-                   "perspective or orthographic; default perspective, with --scale or a --view "
-                   "that has a name orthographic. Of --views first or third, the angle of "
-                   "projection; default third")
+                   "perspective or orthographic; default orthographic with --scale or a named "
+                   "--view, otherwise perspective. With --views the angle of projection, first or "
+                   "third; default third")
         ->group(group);
-    app.add_option(
-           "--scale", scale_,
-           "Scale of the drawing on paper, as in 1:50; needs --page or --dpi. Of --views by "
-           "default the largest of ISO 5455 that fits")
+    app.add_option("--scale", scale_,
+                   "Scale of the drawing on paper, as in 1:50; needs --page or --dpi. With --views "
+                   "the default is the largest scale of ISO 5455 that fits")
         ->group(group);
     app.add_option(
            "--unit", unit_,

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// Where the camera stands, as the command line says it: --eye, --target, --up, --fov,
+/// The camera, as the command line gives it: --eye, --target, --up, --fov,
 /// --projection, --view, --views, and --scale with --unit.
 class ViewOptions {
   public:

@@ -11,7 +11,7 @@ namespace lineatlas::compute {
 
 struct OpenClDevice;
 
-/// What is to run the kernels, as options and the environment have it.
+/// The device that shall run the kernels, by options and the environment.
 struct WantedDevice {
     std::string kind{};   ///< of device_kinds(); empty: OpenCL, else C++ where no driver works
     std::string device{}; ///< of that kind, as "opencl:<platform>[:<device>]"; empty: the best

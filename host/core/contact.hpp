@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// What touches a plane, as a share of the model's diagonal: that is all that floats of coordinates
-/// can tell.
+/// The distance within which a point touches a plane, as a share of the model's diagonal: the
+/// precision of coordinates as floats.
 inline constexpr double contact_share = 2e-6;
 
 /// How far apart two things of a model may be that touch each other: `precision` is

@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// Window depth, times w, by which a surface or line must be nearer than a line to count as before
-/// it.
+/// The window depth, times w, by which a surface or line must be nearer than another line to count
+/// as before it.
 float depth_tolerance(const Camera& camera);
 
 } // namespace lineatlas

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/// What a copy of this process does before it tries a driver that may end it.
+/// Prepares a copy of this process for the trial of a driver that may end the copy.
 namespace lineatlas {
 
 /// Whatever becomes of the copy, it leaves no core, prints nothing and does not outlive this

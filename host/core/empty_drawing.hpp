@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// Whether any of the lines lies, if only in part, between the camera's planes. What hides it is
-/// not looked at, nor whether a silhouette is one from there.
+/// True if any of the lines lies at least partly between the camera's planes. It may be hidden, and
+/// a candidate need not be a silhouette from there.
 bool any_in_view(const LineSet& lines, const Camera& camera);
 
 /// Why a drawing by that camera shows none of the lines, in one line for people. `kinds`: those

@@ -15,9 +15,9 @@ inline constexpr int finest_depth_scale = 4;  ///< FrameOptions::depth_scale at 
 inline constexpr float finest_step = 0.01F;   ///< FrameOptions::step at least, pixels
 inline constexpr float longest_step = 10'000; ///< and at most
 
-/// What a device is asked to hold, and what can be done where it can't: for messages. Ways out are
-/// members of the public API, as in FrameOptions::step; what speaks to people who never see it
-/// replaces them by names of its own (style/member_names.hpp).
+/// A table that a device should hold, and ways out if it cannot; for messages. Ways out are members
+/// of the public API, as in FrameOptions::step. Programs whose users never see the API replace
+/// these names by their own (style/member_names.hpp).
 struct Purpose {
     std::string_view what;
     std::string_view help;

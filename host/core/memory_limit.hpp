@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// What this process may have of memory, for people: "195 MiB (ulimit -v)". Nothing where neither
-/// its address space nor its data is limited, as is usual.
+/// The memory that this process may have, for people: "195 MiB (ulimit -v)". Nothing if, as usual,
+/// neither its address space nor its data is limited.
 inline std::optional<std::string> memory_limit() {
     rlimit space{}, data{};
     ::getrlimit(RLIMIT_AS, &space);

@@ -4,7 +4,7 @@
 
 namespace lineatlas {
 
-/// How many there are of each in a model.
+/// The numbers of vertices, triangles and the like in a model.
 struct ModelCounts {
     std::uint64_t vertices, triangles, segments;
 };

@@ -4,9 +4,9 @@
 
 namespace lineatlas {
 
-/// Whether a name is what a pattern stands for: `*` for any letters, `?` for one, `[a-c_]` for one
-/// of these, `[!a-c_]` for any other, and a letter behind `\` for itself. Both are UTF-8. A byte
-/// that is none counts as a letter.
+/// True if a name matches a pattern: `*` stands for any letters, `?` for one, `[a-c_]` for one of
+/// these, `[!a-c_]` for any other, and a letter behind `\` for itself. Both are UTF-8. A byte that
+/// is no UTF-8 counts as a letter.
 bool matches(std::string_view pattern, std::string_view name);
 
 /// Whether a pattern stands for a part or for something that it is in: for one name or several

@@ -6,8 +6,8 @@
 
 namespace lineatlas {
 
-/// The clusters of a part in its rooms, and what fills these up: as many triangles and clusters as
-/// there is room for. `part`: by itself; without triangles if it is gone.
+/// The clusters of a part in its room of the tables, filled up to as many triangles and clusters as
+/// there is room for. `part`: the part by itself; without triangles if it was removed.
 TriangleClusters part_clusters(std::uint32_t object, const PartRooms& rooms, const LineSet& part);
 
 /// Those of all parts, with the room between them.

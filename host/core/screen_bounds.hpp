@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// Texels from `low` up to, without, `high`.
+/// Texels from `low` up to `high`, which is not included.
 struct TexelRectangle {
     glm::ivec2 low{0, 0}, high{0, 0};
 

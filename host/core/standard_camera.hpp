@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// What the values of a program's depth buffer are.
+/// The meaning of the values of a program's depth buffer.
 struct DepthValues {
     int bits = 32;
     bool floating = true;  ///< else fixed point

@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// Makes every length of a style so many times as long, as a picture needs it that has so many
-/// times as many pixels a side. They are those of that picture then: Style::made_for is 0.
+/// Multiplies every length of a style by a factor, for a picture that has so many times as many
+/// pixels a side. The lengths are then those of that picture: Style::made_for is 0.
 void multiply_lengths(Style& style, float factor);
 
 } // namespace lineatlas

@@ -6,8 +6,8 @@
 
 namespace lineatlas {
 
-/// How a camera sees planes. Nearness is what grows towards the eye and is linear on the screen for
-/// every plane: 1/w, or 1 - z of a parallel view.
+/// How a camera sees planes. Nearness grows towards the eye and is linear on the screen for every
+/// plane: 1/w, or 1 - z in a parallel view.
 struct SurfaceView {
     /// Of a place on the screen (-1 to 1 in x and y), 1 and nearness: a point of the world,
     /// homogeneous.

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// The axis that is upwards in most files of a kind.
+/// The axis that points upwards in most files of a format.
 enum class UsualUp { y, z };
 
 /// y or z: which way a model stands. Most things are as heavy to the left as to the right and in

@@ -9,10 +9,10 @@
 
 namespace lineatlas::images {
 
-/// What a module for pictures offers: lineatlas-png, which has the one type that most drawings
-/// become, and lineatlas-images for all others, which alone links OpenImageIO, whose some 340
-/// libraries take longer to load than a picture to draw.
-/// Whatever is refused ends in a std::runtime_error that says the cause in one line.
+/// The functions of a module for pictures. lineatlas-png has the type of most drawings;
+/// lineatlas-images has all other types. Only the latter links OpenImageIO, because its 340 or so
+/// libraries take longer to load than a picture takes to draw. Every refusal is a
+/// std::runtime_error that says the cause in one line.
 struct Module {
     bool (*can_write)(const std::string& extension); ///< with its dot
     /// `file`: what the file `path` holds; nothing is opened.

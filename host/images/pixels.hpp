@@ -9,8 +9,8 @@
 
 namespace lineatlas {
 
-/// Conversions between sRGB-coded pixels and what picture files hold. The last of 2 or 4 channels
-/// is alpha, which is never sRGB-coded.
+/// Conversions between sRGB-coded pixels and the values of picture files. The last of 2 or 4
+/// channels is alpha, which is never sRGB-coded.
 
 /// Throws std::runtime_error for a picture of more pixels than are read.
 void check_pixel_count(std::int64_t width, std::int64_t height);

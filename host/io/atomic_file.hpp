@@ -5,8 +5,8 @@
 
 namespace lineatlas {
 
-/// The file that is written when one writes to `target`: writing through a symbolic link changes
-/// what it points to, which need not be there yet, as every other program does.
+/// The file that is really written by writing to `target`. As in other programs, writing through a
+/// symbolic link changes the file that the link points to, which need not exist yet.
 std::filesystem::path behind_links(const std::filesystem::path& target);
 
 /// A file that appears at its place whole or not at all: it is written without a name, or under

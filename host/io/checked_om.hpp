@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// An OM file walked from end to end and brought to the one narrow form that OpenMesh's reader gets
-/// right.
+/// An OM file, checked from end to end and converted to the one narrow form that OpenMesh's reader
+/// reads right.
 struct CheckedOm {
     std::string bytes;        ///< for OpenMesh
     std::size_t vertices = 0; ///< that OpenMesh has to find

@@ -5,8 +5,8 @@
 
 namespace lineatlas {
 
-// What a process that works on other people's files gives up before it does so, so that a file that
-// takes it over has won nothing.
+// A process that works on other people's files gives up its abilities first, so that a file that
+// takes over the process gains nothing.
 
 /// What this machine and this build confine processes by. A build with sanitizers does not: they
 /// read /proc, and start what names their findings.

@@ -16,8 +16,8 @@
 
 namespace lineatlas {
 
-/// What is to be done with a picture: the values of one that goes to a file, or the content of a
-/// file, follow in `bytes` bytes.
+/// A request about a picture. The values of a picture to be written, or the content of a file,
+/// follow in `bytes` bytes.
 struct PictureTask {
     enum class Kind : std::int32_t { encode, check };
 

@@ -7,7 +7,8 @@
 
 namespace lineatlas {
 
-/// Which of the modules for pictures, as their libraries differ by a hundredfold in what they load.
+/// One of the modules for pictures. They differ a hundredfold in the size of the libraries that
+/// they load.
 enum class PictureType {
     png, ///< lineatlas-png
     any  ///< lineatlas-images where it is installed, else lineatlas-png

@@ -12,13 +12,13 @@
 namespace lineatlas {
 
 /// Writes pictures from a process of its own, which loads the module for pictures while this one
-/// draws, and encodes one picture while this one draws the next. A thread would not do: the dynamic
-/// linker holds up everyone who looks up a function, as GL does all the time, until the last
-/// library is loaded.
+/// draws, and encodes one picture while this one draws the next. A thread would not do: until the
+/// last library is loaded, the dynamic linker blocks everyone who looks up a function, as GL does
+/// all the time.
 ///
-/// To be made early: in a program that has several threads already, or where no process can be
-/// started, pictures are written here, as write_image() does. SIGINT and SIGTERM do not reach the
-/// process, so that what it was given is whole however this one ends.
+/// Make it early: in a program that already has several threads, or if no process can be started,
+/// pictures are written in this process, as write_image() does. SIGINT and SIGTERM do not reach the
+/// other process, so that its pictures are whole however this one ends.
 class ImageWriter {
   public:
     /// `first`: a name like the first picture's, for whose type the module loads at once.

@@ -6,8 +6,8 @@
 namespace lineatlas {
 
 // load_mesh() and read_image() by a ReaderProcess, in programs that call serve_as_reader(): the
-// tool and the viewer, which open what users give them. Others read here, but for what libraries
-// that crash on damaged files read. Messages are the same.
+// tool and the viewer, which open their users' files. Other programs read in their own process,
+// except formats whose libraries crash on damaged files. Messages are the same.
 
 /// To be called first in main(), with its arguments: if it returns a code, main() ends with that.
 std::optional<int> serve_as_reader(int argc, char** argv);

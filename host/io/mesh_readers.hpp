@@ -5,8 +5,8 @@
 
 namespace lineatlas {
 
-/// Each walks a file from end to end, once, and makes room for what it promises only where the file
-/// has as much. Throws FileError at the first thing that is wrong, a missing end included.
+/// Each reader goes through a file once from end to end. It allocates memory for a count only if
+/// the file has that much data. Throws FileError at the first error, a missing end included.
 Soup read_ply(const SourceFile& source);
 Soup read_off(const SourceFile& source);
 /// The corners of a facet stand in it as coordinates: equal ones become one.

@@ -11,7 +11,7 @@
 
 namespace lineatlas {
 
-// load_mesh() in two steps: what opens files, and what believes what is in them.
+// load_mesh() in two steps: the first opens files, the second parses them.
 
 /// All files that a model consists of.
 struct MeshSource {

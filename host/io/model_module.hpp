@@ -8,7 +8,7 @@
 
 namespace lineatlas::models {
 
-/// A file that a model names, read whole before anything in the model is believed.
+/// A file that a model names, read whole before the model is parsed.
 struct NamedFile {
     std::string name; ///< as the model writes it
     std::string bytes;

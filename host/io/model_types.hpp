@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// What reads a type of model files: this library, or a module of it.
+/// The reader of a type of model files: this library, or a module of it.
 enum class ModelReader { obj, ply, stl, off, om, gltf, threemf, brep };
 
 struct ModelType {

@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// A part of the library that is a file of its own, loaded when first needed, so that who never
-/// needs it need not install what it links.
+/// A part of the library in a file of its own, which is loaded when first needed. So users who
+/// never need the part need not install the libraries that it links.
 struct ModuleFile {
     const char* name;    ///< of the file without its .so, and of the target that builds it
     const char* purpose; ///< "which ...", for messages

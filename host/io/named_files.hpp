@@ -5,9 +5,9 @@
 
 namespace lineatlas {
 
-/// Files that a model names, of which only regular ones beside the model or below its folder are
-/// read, wherever links lead: a model that was sent by somebody says nothing about what else is on
-/// this machine.
+/// Files that a model names. Only regular files beside the model or below its folder are read,
+/// wherever links lead, so that a stranger's model cannot find out about other files on this
+/// machine.
 class NamedFiles {
   public:
     explicit NamedFiles(const std::filesystem::path& model);

@@ -10,9 +10,9 @@
 
 namespace lineatlas {
 
-/// OBJ text reduced to what tinyobjloader reads right. It takes a word that is no number for zero,
-/// has floats, takes a comment behind a face for more corners, and its callback interface has no
-/// `l` elements.
+/// OBJ text reduced to what tinyobjloader reads right. tinyobjloader takes a word that is no number
+/// for zero, reads only floats, takes a comment behind a face for more corners, and has no `l`
+/// elements in its callback interface.
 struct ObjText {
     std::string text;                  ///< v, f, o, g and usemtl; one line for each in the file
     std::vector<glm::dvec3> positions; ///< of the v lines, which are all zeros in `text`

@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// Adds what extract_lines() left out or repaired to the notes about a model.
+/// Adds notes about the triangles that extract_lines() left out or repaired to those of a model.
 void add_notes(const OddTriangles& odd, std::vector<std::string>& notes);
 
 } // namespace lineatlas

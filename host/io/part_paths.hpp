@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// A part's name after those of all that it is in.
+/// A part's name, preceded by the names of all parts that contain it.
 struct PartPath {
     std::vector<std::string> names;
 

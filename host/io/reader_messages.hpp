@@ -5,7 +5,7 @@
 
 namespace lineatlas {
 
-// What was read, from the process that reads to the one that asked. receive_model() and
+// Results of reading, sent from the process that reads to the one that asked. receive_model() and
 // receive_picture() throw FileError for what is_sound() refuses.
 
 void send(ReaderOutput& output, const LoadedMesh& loaded);

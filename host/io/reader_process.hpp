@@ -17,10 +17,10 @@
 
 namespace lineatlas {
 
-// Files are read in a process of their own: whatever a parser does with a hostile one, it ends in
-// a FileError here. The process is this program itself, started again, so its main() begins with
-// serve_as_reader(); or, for programs that embed the library, another one whose main() does. Not a
-// fork: a copy of a process with several threads may find locks held.
+// Files are read in a process of their own: whatever a hostile file does to its parser, the calling
+// process only gets a FileError. The reading process is this program itself, started again, so its
+// main() begins with serve_as_reader(). For programs that embed the library it is another program
+// whose main() does so. Not a fork: a copy of a process with several threads may find locks held.
 
 /// What reading one file may take. 0: by the size of the file.
 struct ReadLimits {

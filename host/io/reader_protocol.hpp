@@ -7,7 +7,7 @@
 
 namespace lineatlas::reader {
 
-// What both ends of a ReaderProcess know.
+// The protocol between the two ends of a ReaderProcess.
 
 /// The first argument of a process that reads: then the kind, the path, the bytes of memory it may
 /// take, the process that started it, and settings for the kind.

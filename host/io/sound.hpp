@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-// What comes from the process that reads, checked whole before anything else looks at it: that
-// process may have been taken over by its file.
+// Checks of everything that the reading process sends, before any other code uses it: that process
+// may have been taken over by its file.
 
 /// Whether the model is one that load_mesh() could have made of some file: all that its header
 /// promises, and no number that only a file's own reader would have kept within its range.

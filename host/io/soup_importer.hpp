@@ -10,8 +10,8 @@
 
 namespace lineatlas {
 
-/// Where OpenMesh's reader puts what it finds: a soup instead of a halfedge mesh, which would drop
-/// or split faces at non-manifold edges. Attributes other than positions are ignored, faces are
+/// Takes the contents of a file from OpenMesh's reader as a soup. A halfedge mesh would drop or
+/// split faces at non-manifold edges. Attributes other than positions are ignored, faces are
 /// taken as they are. OM files describe halfedges; their faces are walked once all of them are
 /// there.
 class SoupImporter final : public OpenMesh::IO::BaseImporter {

@@ -11,7 +11,7 @@
 
 namespace lineatlas {
 
-/// One file, whole, in memory: what every mesh format is checked on before a library sees it.
+/// One whole file in memory. Every mesh format is checked in it before a library parses it.
 struct SourceFile {
     std::filesystem::path path;
     std::string bytes;

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-// Standard output and error of a program, which may be closed, full, or a pipe that nobody reads.
+// Standard output and error of a program, which may be closed, full, or a pipe without a reader.
 namespace lineatlas {
 
 /// First of all in main(): opens what is closed of standard input, output and error, so that no

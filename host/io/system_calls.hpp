@@ -2,7 +2,7 @@
 
 namespace lineatlas {
 
-// By seccomp/system_calls.cpp, or where libseccomp is not there when this is built by
+// Implemented by seccomp/system_calls.cpp, or, if libseccomp is missing when this is built, by
 // seccomp/none.cpp.
 
 /// Whether this program was built with libseccomp.

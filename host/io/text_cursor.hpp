@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// The whole token as a number; `nan` and `inf` are numbers here, and what is too large is
-/// infinite.
+/// The whole token as a number. `nan` and `inf` count as numbers, and a number that is too large
+/// becomes infinite.
 inline std::optional<double> parse_number(std::string_view token) {
     if (token.starts_with('+')) token.remove_prefix(1);
     double value = 0.0;

@@ -3,7 +3,7 @@
 namespace lineatlas {
 
 /// A process that works for this one, at the other end of a stream socket. It ends with this
-/// object, whatever it does.
+/// object, even in the middle of its work.
 class WorkerProcess {
   public:
     WorkerProcess() = default; ///< none

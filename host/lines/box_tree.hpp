@@ -13,7 +13,7 @@
 
 namespace lineatlas {
 
-/// Without branches, which would go the wrong way at every other node.
+/// Has no branches, because a branch would be predicted wrongly at every other node.
 inline bool boxes_meet(const Bounds& a, const Bounds& b) {
     const auto along = [&](int axis) {
         return static_cast<int>(a.min[axis] <= b.max[axis]) &

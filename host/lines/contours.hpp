@@ -12,7 +12,7 @@
 
 namespace lineatlas {
 
-/// What find_contours() looks at.
+/// The inputs of find_contours().
 struct ContourInput {
     const WeldedMesh& mesh;
     std::span<const MeshEdge> edges;

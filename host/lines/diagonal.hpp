@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// Of the box around all vertices: the size of a model, of which thresholds are shares.
+/// The diagonal of the box around all vertices. Thresholds are shares of this size.
 inline double diagonal_of(std::span<const glm::vec3> vertices) {
     if (vertices.empty()) return 0;
     glm::vec3 low{std::numeric_limits<float>::infinity()}, high{-low};

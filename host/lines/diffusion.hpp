@@ -12,8 +12,8 @@
 
 namespace lineatlas {
 
-/// Smooths what stands at the vertices of a surface as heat flows, however large and thin its
-/// triangles are: by linear finite elements (cotangents), in implicit steps.
+/// Smooths values at the vertices of a surface as heat flows, however large and thin the triangles
+/// are: by linear finite elements (cotangents), in implicit steps.
 class Diffusion {
   public:
     /// `faces`: the triangles of the surface.

@@ -12,7 +12,8 @@
 
 namespace lineatlas {
 
-/// Mesh::known_edges between welded vertices: what the file says of edges, in place of angles.
+/// Mesh::known_edges between welded vertices: the kinds of edges that the file gives, in place of
+/// angles.
 class KnownEdges {
   public:
     /// Throws UsageError when an index is out of range.

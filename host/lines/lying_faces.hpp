@@ -8,16 +8,17 @@
 
 namespace lineatlas {
 
-/// Sees edges of three faces and more as the edges of two that they look like.
+/// Reduces edges of three or more faces to edges of the two faces that are visible.
 ///
-/// Faces that lie on each other are one. Where a surface stands in a file twice, for its two
-/// sides or by mistake, and is cut into triangles in two ways, four faces meet at an edge that two
-/// meet at. If the faces of an edge lie to two sides of it, within one degree, one of each side is
-/// left: of the same group as the first, if there is one.
+/// Faces that lie on each other count as one. If a file has a surface twice, for its two sides or
+/// by mistake, and the two are cut into triangles in two ways, four faces meet at an edge of two.
+/// If the faces of an edge lie to two sides of it, within one degree, one face of each side is
+/// kept: of the same group as the first, if there is one.
 ///
-/// Where bodies abut, the faces between them are seen from nowhere. Of an edge in a part without
-/// borders, of three sides and more, two sides are left if they are the only neighbours around it
-/// whose faces look at each other; else it stays what it is. Gives the edges that bodies meet at.
+/// Where bodies abut, the faces between them are not visible from anywhere. For an edge with three
+/// or more sides in a part without borders, two sides are kept if they are the only neighbours
+/// around the edge whose faces look at each other; otherwise the edge does not change. Returns the
+/// edges at which bodies meet.
 std::vector<std::uint32_t> see_lying_faces_as_one(const WeldedMesh& mesh, const MeshParts& parts,
                                                   std::vector<MeshEdge>& edges);
 

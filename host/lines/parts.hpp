@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// What hangs together: triangles that share vertices.
+/// Connected parts: triangles that share vertices.
 struct MeshParts {
     std::vector<std::uint32_t> of_vertex; ///< numbered from 0 as they come
     std::uint32_t count = 0;

@@ -12,7 +12,7 @@
 
 namespace lineatlas {
 
-/// A part of an edge, as shares of the way from its p to its q.
+/// A part of an edge, as shares of the way from its vertex p to its vertex q.
 struct EdgePart {
     std::uint32_t edge;
     double from, to;

@@ -5,7 +5,7 @@
 
 namespace lineatlas::models {
 
-/// A name out of a file as one line of text; `otherwise` where nothing is left of it.
+/// A name from a file as one line of text; `otherwise` if nothing of the name can be shown.
 inline std::string part_name(std::string_view name, std::string_view otherwise) {
     std::string text(name);
     for (char& c : text)

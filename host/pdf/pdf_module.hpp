@@ -9,9 +9,9 @@
 
 namespace lineatlas::pdf {
 
-/// How a way goes on from where it is, straight or by a cubic; or an arc of an ellipse from where
-/// that starts: center + cos(t) major + sin(t) minor, the minor half axis turned a quarter from x
-/// towards y.
+/// The next part of a way: a straight line or a cubic from the present point, or an arc of an
+/// ellipse from the arc's start: center + cos(t) major + sin(t) minor, the minor half axis turned a
+/// quarter from x towards y.
 struct Step {
     bool arc = false, cubic = false;
     glm::dvec2 to{0};                             ///< of a straight one or a cubic Bézier curve

@@ -10,7 +10,8 @@
 
 namespace lineatlas {
 
-/// What a drawing has besides its lines: colours under them, and the paper's grain over all.
+/// The parts of a drawing besides its lines: colours under the lines, and the paper's grain over
+/// everything.
 class Backdrop {
   public:
     /// Throws UsageError if the framebuffer has no depth.

@@ -14,7 +14,7 @@ namespace {
 void check(const DepthTexture& depth, Method method) {
     if (method != Method::atlas && method != Method::spine) {
         throw UsageError("depth: only the methods atlas and spine use a program's own depth; exact "
-                         "knows no depth buffer at all");
+                         "uses no depth buffer at all");
     }
     if (depth.scale < 1 || depth.scale > finest_depth_scale) {
         throw UsageError("depth: scale must be 1, 2, 3 or 4, not " + std::to_string(depth.scale));

@@ -4,7 +4,7 @@
 
 namespace lineatlas {
 
-/// Throws UsageError for options that no frame can be drawn with, whatever is drawn.
+/// Throws UsageError for options with which no frame can be drawn, whatever its lines are.
 void check(const FrameOptions& options);
 
 } // namespace lineatlas

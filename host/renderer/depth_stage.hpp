@@ -14,8 +14,8 @@
 
 namespace lineatlas {
 
-/// The pieces of the model that may be seen in a picture of this projection, as far as that can be
-/// told without looking at depth.
+/// The pieces of the model that may be visible in a picture of this projection, as far as that can
+/// be told without depth.
 std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
                                               const glm::mat4& clip_from_world);
 

@@ -13,8 +13,8 @@
 
 namespace lineatlas {
 
-/// The exact method: lines cut against the faces before them, with neither a depth buffer nor
-/// samples. From there on strokes are those of the segment atlas.
+/// The exact method: lines cut against the faces before them, without a depth buffer and without
+/// samples. Later stages are those of the segment atlas.
 class ExactMethod {
   public:
     explicit ExactMethod(const interop::Connection& connection);

@@ -6,8 +6,8 @@
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/renderer.hpp"
 
-// What of a frame is drawn by kernels and which stages its style asks for, as far as that is known
-// before its lines are.
+// Which stages of a frame run by kernels, and which its style needs, as far as that is known before
+// the frame's lines are.
 namespace lineatlas {
 
 /// Whether kernels draw depth, fills and strokes faster than GL: where both run on the CPU. In the

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// From the segment atlas to what comes out of the device: intervals of lines (§4.6).
+/// From the segment atlas to intervals of lines, which are read back (§4.6).
 class IntervalStage {
   public:
     explicit IntervalStage(compute::Stages& stages) : stages_(stages), table_(stages.device()) {}

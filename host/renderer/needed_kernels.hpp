@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// The kernels that frames with these options launch, whatever their lines are and wherever they
-/// are seen from; not those of pictures in tiles. In the current GL context.
+/// The kernels that frames with these options launch in the current GL context, whatever the lines
+/// and the camera are; without those of pictures in tiles.
 std::vector<compute::KernelForm> needed_kernels(const FrameOptions& options,
                                                 const compute::Device& device);
 

@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// Profiles frames. What GL and the device say about a frame is collected while later ones are
-/// drawn, so that a profiled frame waits for nothing that a plain one would not wait for.
+/// Profiles frames. The times of GL and of the device are collected while later frames are drawn,
+/// so that a profiled frame waits no more than a plain one.
 class ProfileRecorder {
   public:
     /// `gl_is_software`: GL works on this thread too, from the call on, and stamps say only when it

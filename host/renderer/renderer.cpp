@@ -198,7 +198,9 @@ class Renderer::State {
 
     /// To move.
     SceneBuffers& scene() {
-        if (!scene_) throw UsageError("renderer: set_lines() must come before what moves them");
+        if (!scene_)
+            throw UsageError(
+                "renderer: set_lines() must come before calls that move or hide objects");
         return *scene_;
     }
 

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// The pens of a style whose rules tell lines apart, on the device: which pen draws which segment.
+/// The pens of a style with rules, on the device: which pen draws which segment.
 class RunPens {
   public:
     explicit RunPens(compute::Device& device) : tables_{OfSegments{device}, OfSegments{device}} {}

@@ -28,11 +28,11 @@
 
 namespace lineatlas {
 
-/// A line set on the device: what is uploaded once and read in every frame, by kernels and by GL
-/// passes.
+/// A line set on the device: tables that are uploaded once and read in every frame, by kernels and
+/// by GL passes.
 ///
-/// Where a device's buffers are too small for the tables of all segments, these come in chunks of
-/// whole paths, one of which is the current one: table() is of it alone.
+/// If a device's buffers are too small for the tables of all segments, the tables are in chunks of
+/// whole paths. One chunk is the current one: table() is only that chunk's.
 class SceneBuffers {
   public:
     /// Throws DeviceError when memory runs out, or where there is more than GL can count.

@@ -9,8 +9,8 @@ namespace lineatlas {
 
 /// The spine test (§3): one depth pass and one pass over all segments.
 ///
-/// Of a model with many segments, those that are hidden whole are dropped by the depth pyramid
-/// before they become strokes.
+/// If a model has many segments, the depth pyramid drops those that are hidden as a whole before
+/// they become strokes.
 class SpineMethod {
   public:
     explicit SpineMethod(const interop::Connection& connection)

@@ -10,9 +10,9 @@
 
 namespace lineatlas {
 
-/// Runs the stages of a frame, and says when it does: to a profile, or to itself with a wait after
-/// each, so that none hides behind another. What tables take to cross between GL and compute is a
-/// stage of its own, which interrupts the one that asked for them.
+/// Runs the stages of a frame and takes their times: for a profile, or for itself with a wait after
+/// each stage, so that stages do not overlap. A hand-over of tables between GL and compute is a
+/// stage of its own, which interrupts the stage that asked for the tables.
 class StageClock final : private interop::Sharing::Timer {
   public:
     /// `recorder`: of a profiled frame, else null. One at a time for each `sharing`.

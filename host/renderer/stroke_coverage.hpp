@@ -16,8 +16,8 @@
 
 namespace lineatlas {
 
-/// `strokes` by kernels: each pen's runs as coverage of the picture's pixels, which GL then gives
-/// the pen's colour. What kernels can't draw is left to gl::StrokePass.
+/// `strokes` by kernels: each pen's runs as coverage of the picture's pixels, over which GL then
+/// lays the pen's colour. gl::StrokePass draws what kernels can't draw.
 class StrokeCoverage {
   public:
     explicit StrokeCoverage(const interop::Connection& connection);

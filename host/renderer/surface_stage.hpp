@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// What probes know of the surfaces in a frame's depth buffer: which triangle each texel shows,
-/// where its plane lies, and of which smooth patch it is. Of a program's own depth nothing.
+/// The surfaces in a frame's depth buffer, for probes: which triangle each texel shows, its plane,
+/// and its smooth patch. For a program's own depth none of this is known.
 class SurfaceStage {
   public:
     explicit SurfaceStage(const interop::Connection& connection);

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// What a frame must have in common with the next one, for that to go by it.
+/// What two consecutive frames must have in common for the second to use results of the first.
 struct LastFrame {
     /// From now on `frame` is the last one.
     void take(const Frame& frame);

@@ -5,9 +5,9 @@
 
 namespace lineatlas {
 
-/// Has a device prove by small frames that its kernels compute what C++ does, as
-/// compute::try_device(), in the current GL context, of which nothing is left behind. `mode`: how
-/// the device will share with it, since frames have other kernels where it shares memory.
+/// Checks by small frames that a device's kernels compute what C++ does, as compute::try_device(),
+/// in the current GL context, in which nothing stays behind. `mode`: how the device will share with
+/// GL, since frames have other kernels if memory is shared.
 bool try_frames(const compute::Device& device, interop::SharingMode mode);
 
 } // namespace lineatlas

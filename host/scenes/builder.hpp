@@ -18,8 +18,9 @@ using Group = std::uint32_t;
 using Outline = std::vector<glm::vec2>;
 using Path = std::vector<glm::vec3>;
 
-/// Two parts that touch would fight for the same pixels, and two that interpenetrate would show no
-/// line where they meet: parts stand this far apart instead, and both keep their edges.
+/// The distance between neighbouring parts, so that both keep their edges. Two parts that touch
+/// would fight for the same pixels, and two that pass through each other would show no line where
+/// they meet.
 constexpr float gap = 0.004F;
 
 /// The faces of a box; a box that misses some is open there.

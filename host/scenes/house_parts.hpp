@@ -7,7 +7,7 @@
 
 #include "builder.hpp"
 
-/// What the house is built of.
+/// The materials of the house.
 namespace lineatlas::scenes::house {
 
 struct Materials {

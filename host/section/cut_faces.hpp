@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// A closed way around what is solid, or around a hole in it.
+/// A closed way around solid material, or around a hole in it.
 struct CutLoop {
     std::vector<std::uint32_t> points; ///< positions, each once
     std::vector<glm::dvec2> flat;      ///< the same on the plane

@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// Lines across what is solid of a face, from outline to outline, `spacing` apart. `angle`: in
+/// Lines across the solid area of a face, from outline to outline, `spacing` apart. `angle`: in
 /// degrees from the plane's u axis towards v.
 std::vector<std::pair<glm::dvec2, glm::dvec2>> hatch_lines(const CutFace& face, double spacing,
                                                            double angle);

@@ -13,8 +13,8 @@ struct RingPoint {
 };
 using Ring = std::vector<RingPoint>;
 
-/// One ring around what lies between an outline (counter-clockwise) and the holes in it
-/// (clockwise): each hole is joined by a bridge that is walked both ways.
+/// One ring around the area between an outline (counter-clockwise) and its holes (clockwise). Each
+/// hole is joined to it by a bridge that the ring runs along in both directions.
 Ring bridged(Ring outline, std::vector<Ring> holes);
 
 } // namespace lineatlas

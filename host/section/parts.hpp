@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// What a mesh consists of: pieces that hang together by edges, and of which object each is.
+/// The pieces of a mesh that are connected by edges, and the object of each.
 struct Parts {
     std::vector<std::uint32_t> of_triangle; ///< its piece
     std::vector<std::uint32_t> look;        ///< per piece: those of one look are hatched alike

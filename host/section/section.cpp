@@ -39,7 +39,8 @@ void check(std::span<const SectionPlane> planes, const Hatching& hatching) {
     for (const SectionPlane& plane : planes) {
         const double length = glm::length(plane.normal);
         if (!(length > 0) || !std::isfinite(length) || !std::isfinite(glm::length(plane.point)))
-            throw UsageError("section: its normal has no direction, or its point is nowhere");
+            throw UsageError(
+                "section: its normal must have a direction, and its point must be finite");
     }
     const bool spaced = hatching.spacing >= 0 && std::isfinite(hatching.spacing);
     if (!spaced || !std::isfinite(hatching.angle))

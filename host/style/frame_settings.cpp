@@ -123,8 +123,8 @@ FrameSetting method(const Option& own) {
     FrameSetting setting = chosen(own, &FrameSettings::method, &FrameOptions::method);
     setting.names.insert(setting.names.begin(), automatic);
     setting.values = fmt::format("one of {}", fmt::join(setting.names, ", "));
-    setting.help = "How visibility is computed; auto is exact, but atlas for sequences of pictures "
-                   "and where options of samples are given";
+    setting.help = "How visibility is computed; auto is atlas for sequences of pictures and with "
+                   "options of samples, otherwise exact";
     setting.get = [get = setting.get](const FrameSettings& s) {
         return s.method ? get(s) : SettingValue{automatic};
     };
@@ -144,7 +144,7 @@ std::vector<FrameSetting> make_frame_settings() {
             t.push_back(method(own));
             t.push_back(choice<F>(
                 "quality", [](auto& s) -> auto& { return s.quality; }, {"low", "high"},
-                "What probes and depth-scale are unless they are given"));
+                "Default of probes and depth-scale"));
         } else if (own.key == "probes") {
             t.push_back(chosen(own, &F::probes, &FrameOptions::probes));
         } else if (own.key == "depth-scale") {

@@ -14,7 +14,7 @@
 
 namespace lineatlas {
 
-/// How exactly a frame is computed, in one word.
+/// A word for how exactly a frame is computed.
 enum class Quality { low, high };
 
 /// What a quality stands for in a picture of pixels.

@@ -137,14 +137,14 @@ void set_match_key(PenMatch& match, std::string_view key,
             throw UsageError(fmt::format("pens: {} must be a name, with * and ? if need be", key));
         (key == "object" ? match.object : match.material) = values->front();
     }
-    if (is_hidden_outline(match)) throw UsageError("pens: what is hidden is no outline");
+    if (is_hidden_outline(match)) throw UsageError("pens: hidden lines have no outline");
 }
 
 void check_rule(const Style& style, std::size_t number) {
     const PenRule& rule = style.pens[number];
     const std::string of = fmt::format("style: rule {} of pens: ", number + 1);
     checked_kinds(rule.match.kinds);
-    if (is_hidden_outline(rule.match)) throw UsageError(of + "what is hidden is no outline");
+    if (is_hidden_outline(rule.match)) throw UsageError(of + "hidden lines have no outline");
     if (rule.width_factor && !factor_range.contains(*rule.width_factor))
         throw wrong_value(of + std::string{factor_key}, "a number " + makers::words(factor_range),
                           {}, double{*rule.width_factor});

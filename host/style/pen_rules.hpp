@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// Sets what a rule says of its pen. `key`: that of a setting of the pen, or "width-factor". Throws
-/// UsageError for any other, and for a wrong value.
+/// Sets a key of a rule's pen. `key`: the key of a setting of the pen, or "width-factor". Throws
+/// UsageError for any other key, and for a wrong value.
 void set_pen_key(PenRule& rule, std::string_view key, const SettingValue& value);
 
 /// The setting of the style's own pen with that key; throws UsageError that lists the keys of

@@ -11,7 +11,7 @@
 
 namespace lineatlas {
 
-/// A value as it stands in a file or on a command line, before it is a member's.
+/// A value from a file or a command line, before it is assigned to a member.
 using SettingValue = std::variant<bool, double, std::string, std::vector<double>>;
 
 /// One member of a struct that people set by name: the key of files, with "--" before it the option

@@ -169,17 +169,17 @@ std::vector<Setting> make_settings() {
         "", "Share of the overshoot that varies from path to path"));
     t.push_back(length(
         "undershoot", [](auto& s) -> auto& { return s.filter.undershoot; }, up_to_longest,
-        "Strokes end this far before what hides them"));
+        "Strokes end this far before the face that hides them"));
     t.push_back(length(
         "halo", [](auto& s) -> auto& { return s.filter.halo; }, up_to_longest,
         "Gap in the farther of two crossing lines"));
 
     t.push_back(number(
         "density", [](auto& s) -> auto& { return s.density.limit; }, {0, 100},
-        "pixels of line per pixel", "Most lines in a neighbourhood; 0 for any"));
+        "pixels of line per pixel", "Largest density of lines; 0: no limit"));
     t.push_back(number(
         "hidden-density", [](auto& s) -> auto& { return s.hidden_density; }, {0, 100},
-        "pixels of line per pixel", "Most hidden lines in a neighbourhood; 0 for any"));
+        "pixels of line per pixel", "Largest density of hidden lines; 0: no limit"));
     t.push_back(density_priority());
 
     t.push_back(choice(
@@ -191,7 +191,7 @@ std::vector<Setting> make_settings() {
     t.push_back(light());
     t.push_back(number(
         "ambient", [](auto& s) -> auto& { return s.fill.ambient; }, share, "",
-        "Brightness of what is not lit"));
+        "Brightness of unlit faces"));
     t.push_back(whole(
         "toon-steps", [](auto& s) -> auto& { return s.fill.toon_steps; }, {2, 8},
         "Tones of toon filling"));
@@ -205,17 +205,18 @@ std::vector<Setting> make_settings() {
     t.push_back(number(
         "made-for", [](auto& s) -> auto& { return s.made_for; },
         {.least = 1, .most = 65536, .or_zero = true}, "pixels",
-        "Shorter side of the picture that lengths are for; they grow with it; 0: they do not"));
+        "Shorter side of the picture that lengths are meant for; they grow with a larger picture; "
+        "0: they never grow"));
 
     const Range extent{0, 1000};
     constexpr const char* of_window = "shares of the window's height or the model's diagonal";
     t.push_back(focus());
     t.push_back(number(
         "focus-radius", [](auto& s) -> auto& { return s.focus.radius; }, extent, of_window,
-        "Nearer to the focus all is as it is without one"));
+        "Distance from the focus within which lines look as without a focus"));
     t.push_back(number(
         "focus-falloff", [](auto& s) -> auto& { return s.focus.falloff; }, extent, of_window,
-        "How far beyond the radius it takes to be far away"));
+        "Distance beyond the radius over which lines change to the focus-... values"));
     t.push_back(number(
         "focus-width", [](auto& s) -> auto& { return s.focus.width; }, {0, 100}, "",
         "Factor of the width far away"));

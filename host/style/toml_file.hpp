@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// A TOML file, with limits of its size and depth. Throws FileError that names the file and, where
+/// A TOML file, with limits on its size and depth. Throws FileError that names the file and, if
 /// there is one, the line.
 toml::table read_toml(const std::filesystem::path& file);
 

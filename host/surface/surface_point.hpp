@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// A place of a surface, with what silhouettes ask of it.
+/// A point of a surface, with the derivatives that silhouettes need.
 struct SurfacePoint {
     glm::dvec3 at{0};
     glm::dvec3 u{0}, v{0};               ///< how it moves with each parameter

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// What rays say of a drawing.
+/// The result of checking a drawing by rays.
 struct Certificate {
     DrawingErrors wide;                   ///< within 1.5 pixels
     DrawingErrors narrow;                 ///< within 0.5 pixels

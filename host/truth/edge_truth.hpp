@@ -10,8 +10,8 @@
 #include "blocking.hpp"
 #include "ray_scene.hpp"
 
-// Where the lines of a model are visible, point by point: the truth for drawings as paths. Of
-// smooth surfaces silhouettes run where the surface itself turns away (contour_crossing.hpp).
+// Where the lines of a model are visible, point by point: the truth for drawings as paths.
+// Silhouettes of smooth surfaces run where the surface itself turns away (contour_crossing.hpp).
 namespace lineatlas {
 
 enum class Visibility : std::uint8_t {

@@ -7,9 +7,9 @@
 
 namespace lineatlas {
 
-/// What drawings of one model are held against. Where the model has surfaces (Mesh::surfaces), that
-/// is not the triangles that are drawn, but finer ones, with edges on the file's curves and
-/// silhouettes on the surfaces themselves.
+/// The truth with which drawings of one model are compared. If the model has surfaces
+/// (Mesh::surfaces), the truth is not the drawn triangles, but finer ones, with edges on the file's
+/// curves and silhouettes on the surfaces themselves.
 class ModelTruth {
   public:
     /// `lines`: those of the mesh, extracted by `options`, which are drawn; they must outlive it.

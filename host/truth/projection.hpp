@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// A camera in double precision: depths that went through floats are too coarse to start from. Of
-/// GL's default clip control, with depth that is not reversed.
+/// A camera in double precision, because depths that were floats once are too coarse for rays. It
+/// has GL's default clip control, and depth that is not reversed.
 struct PreciseCamera {
     glm::dmat4 clip_from_world, world_from_clip;
     glm::dvec2 viewport;            ///< pixels

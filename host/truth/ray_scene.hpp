@@ -12,7 +12,7 @@
 
 namespace lineatlas {
 
-/// Throws FileError unless the module that casts rays is where it should be. Loads nothing.
+/// Throws FileError if the module that casts rays is not in its place. Does not load it.
 void check_ray_module();
 
 /// The triangles of a line set as rays meet them.

@@ -4,14 +4,14 @@
 
 namespace lineatlas {
 
-/// Puts arcs in the place of points that lie on circles, and a circle in the place of an outline
-/// that goes all around one. `outline` is in pixels and straight.
+/// Replaces points that lie on circles by arcs, and an outline that goes all around a circle by
+/// that circle. `outline` is in pixels and straight.
 ///
-/// A run of points is an arc if all of them lie within 0.02 pixels of one circle, there are five at
-/// least, they span 30 degrees, and neighbours are no farther apart than a mesh of something round
-/// has them: 30 degrees, beyond which edges are creases. Parts of ellipses and the like are none.
-/// An open path's own ends lie where the line disappears, anywhere between two points of the
-/// circle, and move out to it.
+/// Consecutive points are an arc if all of them lie within 0.02 pixels of one circle, if there are
+/// at least five, if they span 30 degrees, and if neighbours are at most 30 degrees apart, as on
+/// meshes of round things. Parts of ellipses and the like are no arcs. The ends of an open path lie
+/// where the line disappears, anywhere between two points of the circle, and move out to the
+/// circle.
 Outline fit_arcs(const Outline& outline);
 
 } // namespace lineatlas

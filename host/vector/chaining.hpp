@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// Which pens draw what; null: one draws all.
+/// Which pen draws which lines; null: one pen draws all.
 struct PathPens {
     const LineClasses& classes;
     const LinePens& pens;

@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// Throws UsageError for a drawing that no file can hold: a pen or paper of values that no style
-/// has, a path whose pen there is not.
+/// Throws UsageError for a drawing that no file can hold: a pen or paper with values that no style
+/// has, a path whose pen does not exist.
 void check_drawing(const VectorDrawing& drawing);
 
 } // namespace lineatlas

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// From one point to another.
+/// A cubic from one point to another.
 struct FittedCubic {
     std::uint32_t first = 0, last = 0;
     VectorCubic cubic;

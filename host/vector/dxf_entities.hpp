@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// Where entities lie and how they look.
+/// The layer and the look of entities.
 struct DxfLook {
     std::string_view layer{};
     bool tags = false;   ///< what the file calls edges and faces, as extended data

@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// Under this name extended data of entities says what they show.
+/// The name of the application under which extended data of entities stands.
 inline constexpr std::string_view dxf_application = "LINEATLAS";
 
 /// What stands before the lines of a drawing of this size: tables and blocks. Returns the handle of

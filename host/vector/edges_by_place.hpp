@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// The file's edges by the places of their ends, of which a position of the mesh may be a copy.
+/// The file's edges by the places of their ends: several positions of the mesh may be at one place.
 class EdgesByPlace {
   public:
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge

@@ -9,11 +9,12 @@
 
 namespace lineatlas {
 
-/// Lets lines that pass behind others end exactly at them: an end where visibility changes moves to
-/// where a nearer visible line crosses, if one does so within `reach` pixels, else to a vertex of
-/// its own segment within reach that another visible line ends at. The hidden piece that starts
-/// there moves along. Exact visibility has its ends on triangles: only at silhouettes that lie on
-/// known surfaces, a little beyond the triangles, they move. Returns how many ends met a line.
+/// Makes lines that pass behind others end exactly at them. An end where visibility changes moves
+/// to the crossing with a nearer visible line, if there is one within `reach` pixels; otherwise to
+/// a vertex of its own segment within reach at which another visible line ends. The hidden piece
+/// that starts there moves along. Ends of exact visibility lie on triangles, and move only to
+/// silhouettes on known surfaces, which lie a little beyond the triangles. Returns how many ends
+/// met a line.
 std::size_t meet_junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces,
                            double reach = 1.25);
 

@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// A stroke between two changes of visibility is chance if it is shorter, in pixels: no sample of
-/// visibility is.
+/// A stroke between two changes of visibility that is shorter than this, in pixels, is chance,
+/// because samples are farther apart.
 constexpr double crumb_of_samples = 1;
 
 /// Changes what is visible of a strip as the kernel `filter` does: closes short holes, drops short

@@ -10,7 +10,7 @@
 
 namespace lineatlas {
 
-/// A point of an outline, and how it goes on.
+/// A point of an outline, and how the outline goes on from there.
 struct OutlinePoint {
     glm::dvec2 at{0, 0};
     /// 0: straight to the next point, or by an ellipse. Else by an arc: the tangent of a quarter of

@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// Through these places on the screen, all at one window depth; closed if it ends where it begins.
-/// Piece i is of segment i.
+/// A path through these places on the screen, all at one window depth; closed if it ends where it
+/// begins. Piece i is of segment i.
 VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec2>& points,
                         double depth = 0.5);
 

@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// What a stroke keeps of its pen where one knows widths, caps, joins and dashes alone. Lengths are
-/// in units of the sheet.
+/// The properties of a pen in formats that know only widths, caps, joins and dashes. Lengths are in
+/// units of the sheet.
 struct PenStroke {
     struct Dashes {
         double dash, gap;

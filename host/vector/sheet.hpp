@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// Where the picture lies on its page, in the page's units.
+/// The place of the picture on its page, in the page's units.
 struct Sheet {
     glm::dvec2 size;   ///< of the page
     double scale;      ///< units per pixel of the picture

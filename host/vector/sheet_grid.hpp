@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// A place in the grid of a sheet's views: columns from left to right, rows from above to below,
-/// counted from those that are used.
+/// A place in the grid of a sheet's views: columns from left to right, rows from top to bottom,
+/// counted from the first used ones.
 struct SheetCell {
     int column = 0;
     int row = 0;

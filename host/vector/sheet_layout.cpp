@@ -163,7 +163,7 @@ struct Fit {
 /// At the largest scale of ISO 5455. Throws UsageError if there is none.
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
     if (!places_on(grid, 0, frame, block))
-        throw UsageError("the page has no room for so many views; a larger one has");
+        throw UsageError("the page has no room for so many views; take a larger page");
     const glm::dvec2 room = frame.size();
     double largest =
         std::min(room.x / (unit * sum(grid.columns)), room.y / (unit * sum(grid.rows)));

@@ -4,7 +4,7 @@
 
 namespace lineatlas {
 
-/// What measures take around a view, millimetres.
+/// The space that measures need around a view, millimetres.
 constexpr double space_for_measures = 24;
 
 /// Draws the overall sizes of a model (ISO 129-1), each once, beside the first aligned view that

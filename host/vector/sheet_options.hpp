@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// Throws UsageError for views that there are not or that are named twice, for none, and for a unit
-/// that is no length.
+/// Throws UsageError for views that do not exist or are named twice, if there are no views, and for
+/// a unit that is no length.
 void check_sheet_options(const SheetOptions& options);
 
 } // namespace lineatlas

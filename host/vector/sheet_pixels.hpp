@@ -2,8 +2,8 @@
 
 namespace lineatlas {
 
-/// Pixels that a millimetre of a sheet takes in the pictures of its views: so many that what is
-/// exact to pixels is exact on paper, whatever the size of the page.
+/// Pixels per millimetre of a sheet in the pictures of its views: so many that an error of pixels
+/// is small on paper, whatever the size of the page.
 constexpr double sheet_pixels = 10;
 
 } // namespace lineatlas

@@ -11,8 +11,8 @@
 namespace lineatlas {
 
 /// Edges of a file that run neither straight nor along a circle or an ellipse (Mesh::edge_curves).
-/// Their points lie on the curve itself; between two of them it runs as the cubic does that has
-/// there the directions of the polynomials through the points about.
+/// Their points lie on the curve itself. Between two points the curve is approximated by a cubic,
+/// whose directions at both come from polynomials through the neighbouring points.
 class SplineEdges {
   public:
     explicit SplineEdges(const Mesh& mesh);

@@ -9,7 +9,7 @@
 
 namespace lineatlas {
 
-/// A child that holds a text; what XML cannot hold is left out of that.
+/// A child element with a text; characters that XML cannot hold are left out.
 void add_text(XmlElement& node, const char* name, const std::string& text);
 
 /// Makes a group a layer of Inkscape.

@@ -4,7 +4,7 @@
 
 namespace lineatlas {
 
-/// What a title block says beside its fields.
+/// The contents of a title block in addition to its fields.
 struct TitleBlockFacts {
     std::string scale; ///< "1:2"
     std::string page;  ///< "A3"; empty: a page without a name

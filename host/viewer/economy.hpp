@@ -9,8 +9,8 @@
 
 namespace lineatlas::viewer {
 
-/// What gives way, in this order, while the camera moves and pictures take too long; with each,
-/// what stands before it does too. At rest nothing gives way.
+/// Steps that make a picture cheaper, in this order, while the camera moves and pictures take too
+/// long. With each step all steps before it are taken too. At rest no step is taken.
 enum class Economy {
     none,
     samples, ///< one probe, and depth as fine as the picture

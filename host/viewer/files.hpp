@@ -10,8 +10,8 @@ struct FileEntry {
     bool is_folder = false;
 };
 
-/// What Session::open() takes of a folder, and the folders in it, by name; folders first. What is
-/// hidden by a dot is left out. Empty for a folder that can't be read.
+/// The files of a folder that Session::open() takes, and its folders, by name; folders first. Names
+/// that begin with a dot are left out. Empty for a folder that can't be read.
 std::vector<FileEntry> list_folder(const std::filesystem::path& folder);
 
 /// The files that were opened last, the latest first, kept from one run to the next.

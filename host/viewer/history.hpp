@@ -6,7 +6,7 @@
 
 namespace lineatlas::viewer {
 
-/// What was, to go back to and forward again. `same(a, b)` says which states are one.
+/// Earlier states, for undo and redo. `same(a, b)`: true if two states are equal.
 template <class State, bool (*same)(const State&, const State&)>
 class History {
   public:

@@ -5,7 +5,7 @@
 
 #include "lineatlas/style.hpp"
 
-// Pens of kinds of line and of objects, as rules of the style for that one alone. `kind`: a name
+// Pens of single kinds of line and of single objects, as rules of the style. `kind`: a name
 // that PenMatch::kinds knows; `object`: a MeshGroup::object.
 namespace lineatlas::viewer {
 

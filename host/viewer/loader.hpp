@@ -15,7 +15,7 @@
 
 namespace lineatlas::viewer {
 
-/// What is to be shown: a file or a built-in scene.
+/// A file or a built-in scene to be shown.
 struct ModelSource {
     std::vector<std::filesystem::path> files; ///< side by side, see join_models()
     std::string scene;                        ///< if there is no file

@@ -5,7 +5,7 @@
 
 namespace lineatlas::viewer {
 
-/// What a person is told. Errors stay until they are dismissed, notices go by themselves.
+/// Messages to the user. Errors stay until they are dismissed; notices vanish by themselves.
 class Messages {
   public:
     struct Message {

@@ -12,8 +12,8 @@
 
 namespace lineatlas::viewer {
 
-/// What is seen at a point of a picture of `size`, from its upper left corner: from the eye on, or
-/// with parallel lines of sight from far behind it.
+/// The line of sight through a point of a picture of `size`, counted from its upper left corner. It
+/// begins at the eye, or with parallel lines of sight far behind the eye.
 Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size);
 
 /// Where a point of the model is seen; nothing for one behind a perspective view's eye.

@@ -77,7 +77,7 @@ fs::path make_video(const fs::path& folder) {
                   std::chrono::minutes{10}, Captured::output_and_errors);
     if (result.exit_code != 0) {
         const std::string said = result.output.substr(0, result.output.find('\n'));
-        throw Error("ffmpeg makes no video of the pictures in \"" + folder.string() +
+        throw Error("ffmpeg failed to make a video of the pictures in \"" + folder.string() +
                     "\": " + (result.timed_out ? "it takes longer than ten minutes" : said));
     }
     return video;

@@ -10,7 +10,7 @@
 
 namespace lineatlas::viewer {
 
-/// A picture to be saved: what `lineatlas draw` draws of the same model, camera and options.
+/// A picture to be saved: the same that `lineatlas draw` draws of this model, camera and options.
 struct SavedPicture {
     const Model& model;
     View view;

@@ -10,7 +10,8 @@
 
 namespace lineatlas::viewer {
 
-/// What of a model is shown, and which of its edges are lines: what lines are found anew for.
+/// Which parts of a model are shown, and which of its edges are lines. If these change, lines are
+/// found anew.
 struct Shown {
     ShownParts parts{};
     std::vector<Cut> cuts{};       ///< at most `most_sections`

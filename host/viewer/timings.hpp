@@ -9,7 +9,7 @@
 
 namespace lineatlas::viewer {
 
-/// What the stages of the last frames took.
+/// The times of the stages of the last frames.
 class Timings {
   public:
     static constexpr std::size_t kept = 120;

@@ -7,7 +7,7 @@
 
 namespace lineatlas {
 
-/// Normals of contours, found anew where positions have changed.
+/// Normals of contours, computed anew if positions have changed.
 class ContourNormals {
   public:
     /// Positions have changed: find() is to come before anything moves. Nothing for lines without

@@ -13,7 +13,7 @@
 
 namespace lineatlas {
 
-/// How silhouettes of surfaces are seen.
+/// The view by which silhouettes of surfaces are found.
 struct TraceView {
     glm::dvec4 eye; ///< as Camera::eye()
     glm::dmat4 clip_from_world;

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// A line set on a device, where it stands.
+/// A line set on a device, at its present places.
 struct PlacedLines {
     const LineTables& tables;
     compute::Buffer& vertices; ///< in place of those of `tables`

@@ -11,7 +11,7 @@
 
 namespace lineatlas {
 
-/// How a line set is seen.
+/// The view and the options by which the visible parts of a line set are found.
 struct LineView {
     const Camera& camera; ///< a standard camera
     const Bounds& bounds; ///< of the model as it stands

@@ -8,8 +8,7 @@
 
 namespace lineatlas {
 
-/// The table of intervals that a stage fills, and what comes out of it. It grows when a frame needs
-/// more.
+/// The table of intervals that a stage fills and the host reads. It grows when a frame needs more.
 class IntervalTable {
   public:
     explicit IntervalTable(compute::Device& device);

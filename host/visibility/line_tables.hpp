@@ -13,8 +13,8 @@
 
 namespace lineatlas {
 
-/// What kernels read of a line set. Segments come in several chunks if the device has no buffer
-/// that would hold a table of all of them.
+/// The tables of a line set that kernels read. Segments are in several chunks if no buffer of the
+/// device can hold all of them.
 struct LineTables {
     /// A part of the segment table.
     struct Chunk {

@@ -12,8 +12,8 @@
 
 namespace lineatlas {
 
-/// What the device has of a model that moves, beside the model as it was made: where its vertices
-/// are now.
+/// The tables on the device of a model that moves, in addition to the model as it was made: the
+/// present places of its vertices.
 class MovingTables {
   public:
     struct Shape {

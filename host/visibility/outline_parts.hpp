@@ -10,9 +10,9 @@
 
 namespace lineatlas {
 
-/// Reads the parts of a chunk's segments that have the background on one side, and appends what of
-/// the visible intervals they are. `intervals`: of the same segments, as the frame has them, in
-/// their `order`; those of the line set are numbered from `first_segment` on.
+/// Reads the parts of a chunk's segments that have the background on one side, and appends the
+/// parts of visible intervals that lie on them. `intervals`: of the same segments, as the frame has
+/// them, in their `order`; those of the line set are numbered from `first_segment` on.
 void add_outline_parts(compute::Device& device, const compute::OutlineTable& table,
                        std::span<const Interval> intervals, const TableOrder& order,
                        std::uint32_t first_segment, std::uint32_t segment_count,

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// Throws UsageError for what Renderer::pick() does not take.
+/// Throws UsageError for arguments that Renderer::pick() does not take.
 void check_pick(glm::vec2 position, float radius);
 
 /// What is seen at a position of the picture of `view`, see Renderer::pick(). Only the part of the

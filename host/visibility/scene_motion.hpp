@@ -12,8 +12,8 @@
 
 namespace lineatlas {
 
-/// Where the objects of a model are, and how far they move on the screen: what the host knows of it
-/// without its vertices.
+/// The places of a model's objects, and how far they move on the screen, as far as the host knows
+/// without the vertices.
 class SceneMotion {
   public:
     explicit SceneMotion(const LineSet& lines);

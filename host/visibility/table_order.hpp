@@ -9,9 +9,9 @@
 
 namespace lineatlas {
 
-/// In which order the segments of a frame stand: silhouettes in chains (kernels/chain.cl), where
-/// the line set has its candidates. Brings what comes out of a frame back into the order, and the
-/// direction, of LineSet::segments.
+/// The order of a frame's segments: silhouettes are in chains (kernels/chain.cl) in place of the
+/// line set's candidates. Brings results of a frame back into the order, and the direction, of
+/// LineSet::segments.
 struct TableOrder {
     std::uint32_t first = 0;            ///< segment that is a silhouette
     std::vector<std::uint32_t> origins; ///< of these, as chain_write has them

@@ -5,7 +5,8 @@
 
 namespace lineatlas {
 
-/// What devices are tried with (compute/opencl/device_trial.hpp): boxes that hide one another.
+/// The line set with which devices are tried (compute/opencl/device_trial.hpp): boxes that hide one
+/// another.
 LineSet trial_lines();
 
 /// How it is looked at.

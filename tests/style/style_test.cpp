@@ -594,7 +594,7 @@ TEST_F(StyleFiles, RulesThatAreRefused) {
     expect_refused("[[pens]]\nmatch = { hidden = \"yes\" }\n",
                    {"line 2", "hidden must be true or false"});
     expect_refused("[[pens]]\nmatch = { hidden = true, kind = \"outline\" }\n",
-                   {"line 2", "what is hidden is no outline"});
+                   {"line 2", "hidden lines have no outline"});
     expect_refused("[[pens]]\nwidht = 3\n", {"line 2", "\"widht\"", "\"width\"?"});
     expect_refused("[[pens]]\nhalo = 3\n", {"line 2", "\"halo\"", "width-factor"});
     expect_refused("[[pens]]\nwidth = 0\n", {"line 2", "above 0"});

@@ -11,8 +11,8 @@ namespace lineatlas::compute {
 /// A device that runs every kernel twice, on `first` and with the same input on a second device,
 /// and compares what they write: integers bit by bit, floats within 1e-5 relative. Its results are
 /// those of `first`. The first kernel that differs throws MismatchError with the first element that
-/// does. Both run the sequence that suits `first`, but for scans in tiles, which not every device
-/// can. For finding errors: every table is copied for every kernel.
+/// differs. Both devices run the launches that suit `first`, except scans in tiles, which not every
+/// device can run. It is meant for finding errors: every table is copied for every kernel.
 class ComparingDevice : public Device {
   public:
     struct Summary {

@@ -6,8 +6,9 @@
 
 namespace lineatlas::compute {
 
-/// What kernels that count (LINEATLAS_COUNTED) touch of some tables while this lives, on this
-/// thread: the compiler reports every access to memory as it would to the thread sanitizer.
+/// Records which parts of some tables counting kernels (LINEATLAS_COUNTED) touch on this thread
+/// while the object lives. The compiler reports every access to memory as it would to the thread
+/// sanitizer.
 class CountedMemory {
   public:
     explicit CountedMemory(std::span<const std::span<const std::byte>> tables);

@@ -8,9 +8,9 @@
 
 namespace lineatlas::compute {
 
-/// Runs every kernel as C++ that counts, on one thread, and adds what each launch did to `counts`,
-/// which must outlive the device. Results are those of every other device. Throws UsageError in a
-/// build with sanitizers, which has no such kernels.
+/// Runs every kernel as counting C++, on one thread, and adds the counts of each launch to
+/// `counts`, which must outlive the device. Results are those of every other device. Throws
+/// UsageError in a build with sanitizers, which has no such kernels.
 std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts);
 
 } // namespace lineatlas::compute

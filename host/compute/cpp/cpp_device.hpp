@@ -7,7 +7,7 @@
 namespace lineatlas::compute {
 
 /// The kernels as C++ on all cores (oneTBB), in the calling process: needs no driver. `tuning`:
-/// with chunks in scans, and what kernels are compiled for as it is by default.
+/// scans must be by chunks, and the values for which kernels are compiled must be the defaults.
 std::unique_ptr<Device> make_cpp_device(const Tuning& tuning = {});
 
 /// The memory of a buffer of that device.

@@ -1,6 +1,6 @@
-// OpenCL C, as far as kernels use it, as C++20: the C++ side of kernels/language.h. Included within
-// the namespace of one instruction set (kernels.cpp), and nothing of it is shared with others: so
-// there is no guard, and nothing of the standard library, whose functions have one name for all.
+// OpenCL C, as far as kernels use it, as C++20: the C++ side of kernels/language.h. It is included
+// in the namespace of each instruction set (kernels.cpp), which share none of it. So it has no
+// include guard, and uses no standard library, whose functions would be shared.
 
 using uint = unsigned int;
 using uchar = unsigned char;

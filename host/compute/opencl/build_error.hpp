@@ -7,8 +7,8 @@
 
 namespace lineatlas::compute {
 
-/// A driver does not build a kernel, or builds one that computes something else (device_trial.hpp).
-/// The message is one line: which kernel, and the first error.
+/// A driver does not build a kernel, or builds one that computes wrong results (device_trial.hpp).
+/// The message is one line with the kernel and the first error.
 class BuildError : public DeviceError {
   public:
     using DeviceError::DeviceError;

@@ -7,8 +7,9 @@
 
 namespace lineatlas::compute {
 
-/// What a device has for buffers, and how much of it one context has taken. Asked before a driver
-/// is: some only notice in the middle of a frame, or take the machine's last memory.
+/// A device's memory for buffers, and how much of it one context has taken. It is checked before a
+/// driver is asked, because some drivers notice only in the middle of a frame, or take the
+/// machine's last memory.
 class DeviceMemory {
   public:
     explicit DeviceMemory(const cl::Device& device);

@@ -9,8 +9,8 @@
 
 namespace lineatlas::compute {
 
-/// Runs `action`; an OpenCL error becomes a DeviceError that says where it came from. Without an
-/// allocation where all goes well: some of it runs in every frame.
+/// Runs `action`; an OpenCL error becomes a DeviceError that says where it came from. Allocates
+/// nothing unless there is an error, because it runs in every frame.
 template <class Action>
 auto guarded(const OpenClDevice& device, std::string_view doing, Action&& action,
              std::string_view what = {}) -> decltype(action()) {

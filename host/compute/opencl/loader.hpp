@@ -5,7 +5,7 @@
 namespace lineatlas::compute {
 
 /// The OpenCL library of this machine, libOpenCL.so.1. It is opened at the first call of one of its
-/// functions, so that programs start, and draw by C++, where there is none.
+/// functions, so that programs start, and draw by C++, on machines without it.
 struct OpenClLibrary {
     bool works = false;
     bool in_front =

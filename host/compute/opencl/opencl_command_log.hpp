@@ -5,10 +5,10 @@
 
 namespace lineatlas::compute {
 
-/// Events of a queue that keeps times (CL_QUEUE_PROFILING_ENABLE). A device's clock counts from
-/// anywhere; but that of each command's QUEUED time was read between two readings of the host's,
-/// so all commands together say to a microsecond or so how the clocks lie to each other, anew in
-/// each log.
+/// Events of a queue that keeps times (CL_QUEUE_PROFILING_ENABLE). A device's clock may start
+/// anywhere. But each command's QUEUED time was read between two readings of the host's clock. So
+/// all commands together give the offset of the two clocks to about a microsecond, anew in each
+/// log.
 class OpenClCommandLog final : public CommandLog {
   public:
     struct Command {

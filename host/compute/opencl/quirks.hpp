@@ -8,7 +8,7 @@
 
 namespace lineatlas::compute {
 
-/// Something that an OpenCL implementation does otherwise than one would expect.
+/// Unexpected behaviour of an OpenCL implementation.
 struct Quirk {
     std::string_view platform; ///< its name, or a part of it
     std::string_view what;

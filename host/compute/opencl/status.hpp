@@ -6,7 +6,7 @@
 
 namespace lineatlas::compute {
 
-/// As the standard calls it, with its number: "CL_OUT_OF_RESOURCES (-5)".
+/// The standard's name of a status, with its number: "CL_OUT_OF_RESOURCES (-5)".
 std::string name_of(cl_int status);
 
 /// Whether it says that memory, or another resource, has run out.

@@ -8,8 +8,8 @@
 
 namespace lineatlas::compute {
 
-/// What kernels/tuning.toml says of a device, within what its quirks allow. Throws FileError if
-/// that is LINEATLAS_KERNEL_DIR's and not right.
+/// The values of kernels/tuning.toml for a device, within the limits of its quirks. Throws
+/// FileError if the table in LINEATLAS_KERNEL_DIR is wrong.
 Tuning tuning_for(const OpenClDevice& device);
 
 /// What a work-group may have of a device.

@@ -6,8 +6,8 @@
 
 namespace lineatlas::compute {
 
-/// Segments or triangles of a line set in batches, with the boxes around them: what is outside of a
-/// picture, or hidden in it, is so by the batch.
+/// Segments or triangles of a line set in batches, with the boxes around them. Batches that are
+/// outside of a picture, or hidden in it, are left out together.
 class Batches {
   public:
     /// `stages` must outlive it.

@@ -5,7 +5,7 @@
 namespace lineatlas::compute {
 
 /// Texture coordinates of silhouettes that are carried over from frame to frame: the tables of the
-/// stage `carry`, which grow when a frame needs more. Frames that ask for none cost nothing.
+/// stage `carry`, which grow when a frame needs more. Frames without such textures cost nothing.
 class CarriedCoordinates {
   public:
     /// `stages` must outlive it.

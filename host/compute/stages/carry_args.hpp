@@ -1,6 +1,6 @@
 #pragma once
 
-// What the stage takes that carries texture coordinates over from frame to frame.
+// Arguments of the stage that carries texture coordinates over from frame to frame.
 
 #include <cstdint>
 

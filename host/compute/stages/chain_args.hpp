@@ -1,6 +1,6 @@
 #pragma once
 
-// What stages take that find silhouettes and put them in chains.
+// Arguments of stages that find silhouettes and put them in chains.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What stages that move and draw triangles take.
+// Arguments of stages that move and draw triangles.
 
 #include <cstdint>
 

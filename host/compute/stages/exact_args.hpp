@@ -1,6 +1,6 @@
 #pragma once
 
-// What the stages of the exact method take.
+// Arguments of the stages of the exact method.
 
 #include <cstdint>
 

@@ -8,8 +8,8 @@
 
 namespace lineatlas::compute {
 
-/// The exact method (kernels/exact.h): what is visible of every segment, with neither a depth
-/// buffer nor samples. Keeps the tables of its stages, which grow when a frame needs more.
+/// The exact method (kernels/exact.h): finds the visible parts of every segment without a depth
+/// buffer and without samples. Keeps the tables of its stages, which grow when a frame needs more.
 class ExactVisibility {
   public:
     /// `stages` must outlive it.
@@ -83,8 +83,8 @@ class ExactVisibility {
                    Buffer& span_offsets, Buffer& spans) const;
     void make_lists();
     void make_room_for_segments();
-    /// How many elements a table gets that must hold `needed`: of the first lines that are looked
-    /// at no more, since a still has no others.
+    /// Capacity for `needed` elements. The first line set gets exactly that (a still picture needs
+    /// no more); later ones get room to grow.
     std::uint32_t grown(std::uint32_t needed, std::size_t element) const;
     std::uint32_t tiles() const {
         return static_cast<std::uint32_t>(parameters_.tiles.x * parameters_.tiles.y);

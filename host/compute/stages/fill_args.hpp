@@ -1,6 +1,6 @@
 #pragma once
 
-// What `fill` takes.
+// Arguments of `fill`.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

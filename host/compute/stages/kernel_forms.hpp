@@ -12,8 +12,8 @@
 
 namespace lineatlas::compute {
 
-/// A kernel in the form in which Stages launches it on a device: drivers build others for other
-/// work-groups.
+/// A kernel in the form in which Stages launches it on a device. Drivers build another form for
+/// other work-groups.
 struct KernelForm {
     const Kernel* kernel;
     std::uint32_t group; ///< Launch::group

@@ -1,6 +1,6 @@
 #pragma once
 
-// What stages take that make runs and change them.
+// Arguments of stages that make runs and change them.
 
 #include <algorithm>
 #include <cstdint>

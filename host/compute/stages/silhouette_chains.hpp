@@ -9,7 +9,7 @@
 
 namespace lineatlas::compute {
 
-/// How the silhouettes of a model are seen.
+/// How a frame sees the silhouettes of a model.
 inline SilhouetteView silhouette_view(const Camera& camera, const Bounds& bounds) {
     return {camera.eye(), sees_from_outside(camera, bounds)};
 }

@@ -17,7 +17,7 @@
 
 namespace lineatlas::compute {
 
-// Groups of one table, for launches: what a kernel calls so.
+// Groups of one table, for launches, named as the kernel names its table.
 struct Counts {
     Buffer& counts;
 };

@@ -12,8 +12,8 @@
 
 namespace lineatlas::compute {
 
-/// What a table gets that must hold `needed` bytes, or things of `size` bytes, and may have to grow
-/// again soon: room for that where there is some.
+/// The size of a table that must hold `needed` bytes, or elements of `size` bytes, and may soon
+/// have to grow: with room for growth if there is memory for it.
 inline std::uint64_t room_to_grow(const Device& device, std::uint64_t needed,
                                   std::size_t size = 1) {
     return with_room_to_grow(needed,

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the stages of a frame hand on to each other.
+// Tables that the stages of a frame pass on to each other.
 
 #include <cstdint>
 #include <optional>

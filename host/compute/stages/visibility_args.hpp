@@ -1,6 +1,6 @@
 #pragma once
 
-// What stages take that project segments and look at their samples.
+// Arguments of stages that project segments and compute their samples.
 
 #include <cstdint>
 

@@ -12,33 +12,36 @@ namespace lineatlas {
 
 struct AssemblyState;
 
-/// Parts that come and go, together one line set. Each is an object, which moves and hides on its
-/// own; nothing is welded or cut between them, as with LineOptions::separate_objects.
+/// Parts that come and go and that together make one line set. Each part is an object, which moves
+/// and hides on its own. Nothing is welded or cut between parts, as with
+/// LineOptions::separate_objects.
 ///
-/// add() and remove() cost what the part costs, and Renderer::set_lines() after them does, too: the
-/// tables have room for parts to come. When that is used up they are laid out anew, half as large
-/// again as the parts that there are, as with a vector.
+/// The time of add(), remove() and the next Renderer::set_lines() depends on that part only,
+/// because the tables have room for further parts. When the room is used up, the tables are laid
+/// out anew with half as much room again, as with a vector.
 class LINEATLAS_API Assembly {
   public:
     Assembly();
     ~Assembly();
-    Assembly(Assembly&&) noexcept;            ///< the other can only go or be set then
+    Assembly(Assembly&&) noexcept;            ///< the other may only be destroyed or assigned to
+                                              ///< then
     Assembly& operator=(Assembly&&) noexcept; ///< likewise
 
-    /// Adds the objects of a line set, or all of it as one where it has none, and gives their
-    /// numbers in lines().objects: those of parts that are gone first, then the next. Throws
+    /// Adds the objects of a line set, or the whole line set as one object if it has none. Returns
+    /// their numbers in lines().objects: first numbers of removed parts, then new ones. Throws
     /// UsageError for lines that Renderer::set_lines() does not take.
     std::vector<std::uint32_t> add(const LineSet& lines);
 
-    /// Takes a part out. Its number stands for nothing until add() gives it again. Throws
-    /// UsageError for a part that there is not.
+    /// Removes a part. Its number stands for no part until add() returns it again. Throws
+    /// UsageError for a part that does not exist.
     void remove(std::uint32_t object);
 
-    /// All parts, for LineVisibility, make_vector_drawing() and all else that takes a line set;
-    /// until the next add() or remove(). Between the parts is room: vertices that nothing uses,
-    /// triangles without area and segments without length, which nothing draws. LineSet::sources
-    /// and the like refer to the mesh of each part; there are no cut vertices, so move_vertices()
-    /// is not for it. Which segment is whose may change with add(), numbers of objects do not.
+    /// All parts as a line set, for LineVisibility, make_vector_drawing() and every other function
+    /// that takes one; valid until the next add() or remove(). Room between the parts is filled
+    /// with unused vertices, triangles without area and segments without length, which are never
+    /// drawn. LineSet::sources and the like refer to the mesh of each part; there are no cut
+    /// vertices, so move_vertices() cannot be used. Numbers of segments may change with add();
+    /// numbers of objects do not.
     const LineSet& lines() const;
 
   private:

@@ -13,19 +13,19 @@
 
 namespace lineatlas {
 
-/// How space is brought onto the picture.
+/// How points of space are projected onto the picture.
 enum class Projection {
     perspective,  ///< lines of sight meet in the eye
-    orthographic, ///< they are parallel: what is equally long looks so, near or far
+    orthographic, ///< lines of sight are parallel: equal lengths look equal, near or far
 };
 
 /// "perspective" or "orthographic".
 LINEATLAS_API std::string_view name_of(Projection projection);
 
-/// The other way; throws UsageError with both names.
+/// The projection of that name; throws UsageError that lists both names.
 LINEATLAS_API Projection parse_projection(std::string_view name);
 
-/// A camera as a person describes it: where the eye is, what it looks at.
+/// A camera as a person describes it: where the eye is and what it looks at.
 struct View {
     glm::vec3 eye{0, 0, 1};    ///< where the eye is, in model units
     glm::vec3 target{0, 0, 0}; ///< the point it looks at
@@ -38,15 +38,15 @@ struct View {
     Projection projection = Projection::perspective;
 };
 
-/// What a view shows from the picture's lower border to its upper one, in model units; of a
-/// perspective view at its target.
+/// The height in model units that a view shows from the picture's lower border to its upper one; in
+/// a perspective view the height at its target.
 LINEATLAS_API float shown_height(const View& view);
 
-/// The same with the eye moved along the line of sight so that a height above 0 is shown: a drawing
-/// to scale, in orthographic projection.
+/// The view with its eye moved along the line of sight so that it shows `height`, which must be
+/// above 0: in orthographic projection a drawing to scale.
 LINEATLAS_API View with_shown_height(const View& view, float height);
 
-/// From where one looks at a model.
+/// The direction from which a view looks at a model.
 struct ViewDirection {
     glm::vec3 toward_eye{0, 0, 1}; ///< a unit vector
     glm::vec3 up{0, 1, 0};         ///< upwards in the picture; not along `toward_eye`
@@ -54,21 +54,21 @@ struct ViewDirection {
 
 /// A direction by its name: "front", "back", "left", "right", "top", "bottom", "isometric",
 /// "dimetric" (ISO 5456-3: depth at half the scale of width and height), or "AZIMUTH,ELEVATION" in
-/// degrees: from the front to the right, and upwards. `up`: the model's, a unit axis; its front is
-/// where -y points if that is z, else where z does. "left" is seen from the left. Throws UsageError
-/// with all names.
+/// degrees: from the front to the right, and upwards. `up`: the upward axis of the model, a unit
+/// axis. The front is the side that -y points to if `up` is z, else the side that z points to.
+/// "left" looks from the left. Throws UsageError that lists all names.
 LINEATLAS_API ViewDirection view_direction(std::string_view name, glm::vec3 up);
 
-/// What glClipControl() was told where it was called; the default is GL's.
+/// The arguments of glClipControl(), if the program calls it; the default is GL's.
 struct ClipControl {
     bool upper_left = false;  ///< GL_UPPER_LEFT: y of clip space points down in the framebuffer
     bool zero_to_one = false; ///< GL_ZERO_TO_ONE: z of clip space goes from 0 to w, not from -w
 };
 
-/// What the pipeline sees of a camera: the matrices and the viewport that a program draws with.
+/// A camera as the pipeline needs it: the matrices and the viewport that a program draws with.
 ///
-/// Depth may be reversed, and the far plane infinitely far away: the projection says so itself. Eye
-/// space is GL's, looking along -z (for a perspective projection +z will do).
+/// Depth may be reversed, and the far plane may be infinitely far away; the projection matrix
+/// tells. Eye space is GL's, looking along -z (a perspective projection may also look along +z).
 struct Camera {
     glm::mat4 view{1};       ///< world to eye space
     glm::mat4 projection{1}; ///< eye to clip space
@@ -90,10 +90,10 @@ struct PictureTile {
     glm::ivec2 size{0, 0}; ///< width and height
 };
 
-/// Matrices for `view`. Planes left at 0 are fitted to `bounds`, which must not be empty then; an
-/// orthographic view then shows what lies behind its eye, too. Throws UsageError when a number is
-/// not finite, the eye is the target, `up` is along the line of sight, the field of view is not in
-/// (0, pi) or the size is not positive.
+/// Matrices for `view`. Near and far planes of 0 are fitted to `bounds`, which must not be empty
+/// then. An orthographic view with fitted planes also shows things behind its eye. Throws
+/// UsageError when a number is not finite, the eye is the target, `up` is along the line of sight,
+/// the field of view is not in (0, pi) or the size is not positive.
 LINEATLAS_API Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds);
 
 /// A view from the front, right and above in which all `points` just fit, with a small margin.
@@ -102,7 +102,7 @@ LINEATLAS_API View frame_points(std::span<const glm::vec3> points, glm::ivec2 si
                                 glm::vec3 up = {0, 1, 0}, float fov_y = View{}.fov_y,
                                 Projection projection = Projection::perspective);
 
-/// The same seen from another side.
+/// The same as frame_points(), seen from another side.
 LINEATLAS_API View frame_points_from(const ViewDirection& direction,
                                      std::span<const glm::vec3> points, glm::ivec2 size,
                                      float fov_y = View{}.fov_y,

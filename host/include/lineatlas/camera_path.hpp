@@ -10,37 +10,38 @@
 
 namespace lineatlas {
 
-/// A line in space. What takes one throws UsageError unless its direction is a unit vector.
+/// A line in space. Functions that take an axis throw UsageError unless its direction is a unit
+/// vector.
 struct Axis {
-    glm::vec3 point{0, 0, 0};     ///< any on it
+    glm::vec3 point{0, 0, 0};     ///< any point on the line
     glm::vec3 direction{0, 1, 0}; ///< a unit vector; upwards
 };
 
-/// `view` carried around the axis by a share of a full turn, counter-clockwise seen from above. Its
-/// planes are fitted anew.
+/// `view` carried around the axis by `turn` full turns, counter-clockwise seen from above. Its near
+/// and far planes are fitted anew.
 LINEATLAS_API View turned(const View& view, const Axis& axis, double turn);
 
-/// Points that bound what the given ones sweep over in a full turn: what frame_points() must frame
-/// so that a turning model never leaves the picture. Throws UsageError unless they are finite.
+/// Points around the space that the given points sweep over in a full turn. A view by
+/// frame_points() of these points shows a turning model completely. Throws UsageError unless all
+/// points are finite.
 LINEATLAS_API std::vector<glm::vec3> swept(std::span<const glm::vec3> points, const Axis& axis);
 
-/// A camera that moves smoothly through views, each at a frame, and rests between two that are
-/// alike.
+/// A camera that moves smoothly through views, each at a frame, and rests between two equal views.
 class LINEATLAS_API CameraPath {
   public:
-    /// A view that is passed.
+    /// A view that the camera passes through.
     struct Key {
         double frame = 0; ///< need not be whole
-        View view;        ///< what is seen then
+        View view;        ///< the view at that frame
     };
 
     /// Throws UsageError unless there is a key and frames rise, from -1e6 to 1e6.
     explicit CameraPath(std::vector<Key> keys);
 
-    int first_frame() const; ///< the first whole one
-    int last_frame() const;  ///< the last whole one; below the first where there is none
-    /// At a frame, between whole ones too; before the first key and behind the last as there.
-    /// Planes and projection are those of the key before.
+    int first_frame() const; ///< the first whole frame
+    int last_frame() const;  ///< the last whole frame; below the first if there is none
+    /// The view at a frame, which need not be whole; before the first key and after the last one
+    /// the view of that key. Planes and projection are those of the key before.
     View view(double frame) const;
 
   private:

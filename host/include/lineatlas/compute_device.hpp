@@ -13,19 +13,20 @@
 
 #include "lineatlas/export.hpp"
 
-// What runs the kernels. The library brings `opencl` and `cpp`; a program can bring another: a
-// class derived from Device and one call of register_device(). docs/backends.md shows one whole.
+// Devices run the kernels. The library brings `opencl` and `cpp`. A program can add another one by
+// a class derived from Device and one call of register_device(); docs/backends.md has a whole
+// example.
 namespace lineatlas::compute {
 
 /// The memory of a device that the library keeps under one name.
 struct TableMemory {
-    std::string_view name;    ///< "clipped_segments": docs/architecture.md has the list
+    std::string_view name;    ///< "clipped segments": docs/architecture.md has the list
     std::string_view purpose; ///< what messages call it: "the table of line segments"
     std::uint64_t bytes = 0;  ///< of all buffers of that name
 };
 
-/// Memory that kernels read and write. Made by the device that uses it; may outlive neither the
-/// device nor, if it wraps other memory, that memory.
+/// Memory that kernels read and write. A buffer is made by the device that uses it. It may outlive
+/// neither the device nor, if it wraps other memory, that memory.
 class LINEATLAS_API Buffer {
   public:
     /// `size`: in bytes.
@@ -35,11 +36,11 @@ class LINEATLAS_API Buffer {
     Buffer& operator=(const Buffer&) = delete;
 
     std::size_t size() const { return size_; } ///< in bytes
-    /// Launches by the library's stages, so far, of kernels that write to it.
+    /// How many launches of the library's stages so far were of kernels that write to the buffer.
     std::uint64_t writes() const { return writes_; }
 
   private:
-    friend class Stages; // counts them
+    friend class Stages; // counts the launches
     friend class TableList;
     std::size_t size_;
     TableMemory* counted_in_ = nullptr;
@@ -51,7 +52,7 @@ enum class Access {
     in,        ///< only read
     out,       ///< only written, perhaps not everywhere
     inout,     ///< both
-    unordered, ///< both, and what it writes may come in any order
+    unordered, ///< both, and its elements may be written in any order
 };
 
 /// A table that a kernel takes, in the order of its arguments.
@@ -62,32 +63,33 @@ struct KernelTable {
     Access access;            ///< what the kernel does with it
 };
 
-/// A kernel of the library. They live as long as the program.
+/// A kernel of the library. Kernels live as long as the program.
 struct Kernel {
     std::string_view stage; ///< "project_clip": docs/architecture.md has the list
     std::string_view name;  ///< of its function
     /// Macros that choose its form, in the syntax of a compiler's options: "-DPROBES_PER_AXIS=3".
-    /// Empty for most. A device adds those of how it launches (docs/devices.md).
+    /// Empty for most. A device adds macros of its own tuning (docs/devices.md).
     std::string_view defines;
     std::size_t parameter_size;          ///< bytes of the struct that is its first argument
     std::span<const KernelTable> tables; ///< the arguments after that
     bool has_barriers; ///< needs work-groups that share memory; chosen by Tuning::scan_tiles alone
     std::uint32_t index; ///< its place in all_kernels()
 
-    /// Of its source, in kernels/: "project_clip.cl".
+    /// The name of its source in kernels/: "project_clip.cl".
     std::string file() const { return std::string{stage} + ".cl"; }
 };
 
 /// Every kernel, in the order of a frame.
 LINEATLAS_API std::span<const Kernel> all_kernels();
 
-/// The OpenCL C 1.2 of a kernel's file, with all that it includes. Throws FileError if
+/// The OpenCL C 1.2 of a kernel's file, with all included files. Throws FileError if
 /// LINEATLAS_KERNEL_DIR is set and lacks it.
 LINEATLAS_API std::string source_of(const Kernel& kernel);
 
-/// Runs work-items `first` up to, without, `last` of `count` as C++ on the calling thread.
-/// `tables`: their memory, in the order of Kernel::tables, aligned to 64 bytes. Several threads may
-/// run parts of one launch at the same time. Throws UsageError for a kernel that has barriers.
+/// Runs the work-items from `first` to `last` - 1, out of `count`, as C++ on the calling thread.
+/// `tables`: the memory of the tables, in the order of Kernel::tables, aligned to 64 bytes. Several
+/// threads may run parts of one launch at the same time. Throws UsageError for a kernel that has
+/// barriers.
 LINEATLAS_API void run_on_host(const Kernel& kernel, std::span<const std::byte> parameters,
                                std::span<void* const> tables, std::size_t first, std::size_t last,
                                std::size_t count);
@@ -98,8 +100,8 @@ struct Launch {
     std::span<const std::byte> parameters; ///< Kernel::parameter_size bytes; copied by launch()
     std::span<Buffer* const> tables;       ///< in the order of Kernel::tables
     std::uint32_t items;                   ///< work-items, above 0
-    /// Of a work-group, at most; kernels ignore work-items beyond their last element, so that their
-    /// number may be rounded up.
+    /// Work-items of a work-group, at most. Kernels ignore work-items beyond their last element, so
+    /// the number of work-items may be rounded up.
     std::uint32_t group;
 };
 
@@ -122,7 +124,8 @@ struct Tuning {
     std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
     std::uint32_t face_lanes = 16;      ///< faces tested at a time: 1, 4, 8 or 16
     std::uint32_t face_chunks = 64;     ///< chunks of faces that go into tiles at the same time
-    bool face_lists = false;            ///< each face does by itself, and lists are sorted by entry
+    bool face_lists = false;            ///< each face goes into tiles by itself, and lists are
+                                        ///< sorted by entry
     std::uint32_t segment_block = 4096; ///< segments per work-item of compact
     bool program_cache = false;         ///< built programs are kept in the user's cache
 };
@@ -131,9 +134,9 @@ struct Tuning {
 /// std::chrono::steady_clock.
 struct CommandTime {
     std::string_view name;   ///< of the kernel; "write", "read", "copy" or "fill"
-    std::int64_t submitted;  ///< when the host did it
+    std::int64_t submitted;  ///< when the host submitted it
     std::int64_t start;      ///< when the device began
-    std::int64_t end;        ///< when it was done
+    std::int64_t end;        ///< when the device was done
     std::uint64_t items = 0; ///< work-items, of a kernel
     std::uint32_t group = 0; ///< of one work-group
     std::uint64_t bytes = 0; ///< of the tables that it reads and those that it writes
@@ -144,15 +147,15 @@ class LINEATLAS_API CommandLog {
   public:
     virtual ~CommandLog() = default;
 
-    /// Whether all of them have run; doesn't wait.
+    /// Whether all commands have run; does not wait.
     virtual bool complete() const = 0;
-    /// Their times, with a wait if not complete(); none if the device keeps no times.
+    /// The times of all commands; waits if not complete(). Empty if the device keeps no times.
     virtual std::vector<CommandTime> read() = 0;
-    /// How far the times read may be off those of the host, in nanoseconds.
+    /// By how much these times may differ from the host's clock, in nanoseconds.
     virtual std::optional<std::int64_t> error() const = 0;
 };
 
-/// What runs kernels and keeps their memory.
+/// A device runs kernels and owns their memory.
 ///
 /// Calls are asynchronous where a device can, and run in the order they are made; `finish` and
 /// `download` wait. All methods throw DeviceError when the device fails. A device and its buffers
@@ -172,11 +175,11 @@ class LINEATLAS_API Device {
 
     /// Device memory; its content is undefined. Never smaller than 16 bytes.
     virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
-    /// What one buffer can hold, in bytes; always the same.
+    /// The largest size of one buffer in bytes; always the same.
     virtual std::uint64_t largest_buffer() const {
         return std::numeric_limits<std::uint64_t>::max();
     }
-    /// What all buffers that are still to come can hold.
+    /// How many bytes all future buffers together can hold.
     virtual std::uint64_t free_memory() const { return std::numeric_limits<std::uint64_t>::max(); }
     /// A buffer over memory of the caller (page-aligned), without a copy where the device can.
     virtual std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) = 0;
@@ -185,22 +188,23 @@ class LINEATLAS_API Device {
     /// Ends what begin_host_access() began: the memory is the device's again.
     virtual void end_host_access(Buffer& buffer) = 0;
 
-    /// Into the buffer, from a place on in bytes. `data` may be changed once this returns.
+    /// Copies `data` into the buffer, from the byte `offset` on. `data` may be changed once this
+    /// returns.
     virtual void upload(Buffer& buffer, std::span<const std::byte> data,
                         std::size_t offset = 0) = 0;
-    /// Out of it; waits.
+    /// Copies out of the buffer, from the byte `offset` on; waits.
     virtual void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset = 0) = 0;
-    /// As upload() of the first bytes, but may return at once: `data` must stay the same until
-    /// finish(). Nothing happens if it is empty.
+    /// As upload() of the first bytes, but may return at once: `data` must not change until
+    /// finish(). Does nothing if `data` is empty.
     virtual void begin_upload(Buffer& buffer, std::span<const std::byte> data) {
         if (!data.empty()) upload(buffer, data);
     }
-    /// As download() of the first bytes, but may return at once: `data` must stay until finish(),
-    /// and holds them then. Nothing happens if it is empty.
+    /// As download() of the first bytes, but may return at once: `data` must stay valid until
+    /// finish(), and then holds the bytes. Does nothing if `data` is empty.
     virtual void begin_download(Buffer& buffer, std::span<std::byte> data) {
         if (!data.empty()) download(buffer, data);
     }
-    /// The first `bytes` bytes of one buffer into another.
+    /// Copies the first `bytes` bytes of one buffer into another.
     virtual void copy(Buffer& from, Buffer& to, std::size_t bytes) = 0;
     /// Sets the first `bytes` bytes, a multiple of 4, to 0.
     virtual void clear(Buffer& buffer, std::size_t bytes) = 0;
@@ -209,12 +213,12 @@ class LINEATLAS_API Device {
     virtual void launch(const Launch& launch) = 0;
 
     virtual void flush() = 0;  ///< starts what was submitted
-    virtual void finish() = 0; ///< waits for all of it
+    virtual void finish() = 0; ///< waits until all of it is done
 
-    /// Keeps the times of all commands from here to end_log(), for a profile. Null, and no log, if
-    /// the device keeps no times.
+    /// Keeps the times of all commands until end_log(), for a profile. Returns null if the device
+    /// keeps no times.
     virtual std::shared_ptr<CommandLog> begin_log() { return nullptr; }
-    /// Ends the log that begin_log() began; what it holds can still be read.
+    /// Ends the log that begin_log() began; the log can still be read.
     virtual void end_log() {}
 
     /// What the library keeps here, in the order in which names came up. Stays until the next
@@ -226,26 +230,28 @@ class LINEATLAS_API Device {
     std::deque<TableMemory> tables_; ///< which buffers point into
 };
 
-/// A kind of device that one can choose by its name.
+/// A kind of device that can be chosen by its name.
 struct DeviceKind {
     std::string name;    ///< what `--compute` and DeviceOptions::compute take
     std::string summary; ///< a few words for lists
-    /// `device`: what the user chose, in the kind's own terms; empty: its best. Throws UsageError
-    /// for one that there is not, DeviceError when it can't work here.
+    /// Makes a device. `device`: the user's choice, in the kind's own terms; empty: the best one.
+    /// Throws UsageError for a device that does not exist, DeviceError if it cannot work on this
+    /// machine.
     std::unique_ptr<Device> (*make)(std::string_view device);
 };
 
-/// All that there are: the library's, then those that were registered.
+/// All kinds: those of the library, then those that were registered.
 LINEATLAS_API const std::vector<DeviceKind>& device_kinds();
 
-/// Makes another kind known to this process, from outside the library. Before any thread uses the
-/// library; throws UsageError if the name is taken.
+/// Adds a kind of device to this process. Must be called before any thread uses the library. Throws
+/// UsageError if the name is taken.
 LINEATLAS_API void register_device(DeviceKind kind);
 
 /// "opencl, cpp, ...", for messages.
 LINEATLAS_API std::string device_kind_names();
 
-/// A device of the kind `name`; throws UsageError, listing what there is, if there is none.
+/// A device of the kind `name`; throws UsageError that lists all kinds if there is none of that
+/// name.
 LINEATLAS_API std::unique_ptr<Device> make_device(std::string_view name,
                                                   std::string_view device = {});
 

@@ -9,10 +9,10 @@ namespace lineatlas {
 
 /// Base of every exception the library throws on purpose. The message is one line that names the
 /// thing, the cause and, where there is one, the way out. It is text that a terminal can show:
-/// UTF-8 of at most 2,000 bytes, in which "?" stands for control characters out of a file's names.
+/// UTF-8 of at most 2,000 bytes, in which "?" replaces control characters of names from a file.
 class LINEATLAS_API Error : public std::runtime_error {
   public:
-    /// With that message, made fit to be shown.
+    /// With that message, made safe for a terminal.
     explicit Error(const std::string& message);
 
   protected:
@@ -27,14 +27,15 @@ class LINEATLAS_API UsageError : public Error {
     using Error::Error;
 };
 
-/// A file could not be read or written, or holds something else than it says.
+/// A file could not be read or written, or its contents are not what its name or header says.
 class LINEATLAS_API FileError : public Error {
   public:
     using Error::Error;
 };
 
-/// The machine cannot do it: no device, no memory, a driver that refused. The message says which
-/// package or option helps. Where a kernel or shader does not build, the driver's log follows.
+/// The machine cannot do what was asked: no device, no memory, a driver that refused. The message
+/// says which package or option helps. If a kernel or shader does not build, the driver's log
+/// follows.
 class LINEATLAS_API DeviceError : public Error {
   public:
     using Error::Error;

@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// As MeshArrays, with coordinates that floats may not hold, such as those of surveys: farther from
-/// zero than a thousand times the model's size.
+/// As MeshArrays, for coordinates that need more digits than floats have, such as those of surveys,
+/// which lie farther from zero than a thousand times the model's size.
 struct ExactArrays {
     std::span<const double> positions;          ///< x, y, z of each vertex
     std::size_t stride = 3;                     ///< doubles, not bytes, to the next vertex
@@ -22,16 +22,17 @@ struct ExactArrays {
 
 /// A mesh of exact arrays.
 struct ExactMesh {
-    Mesh mesh; ///< about `origin`
-    /// What was taken off every position, as LoadedMesh::origin: zero, unless the model lies so far
-    /// from zero, compared with its size, that floats there could not hold it. All places that go
-    /// with the mesh are about it: cameras, matrices and positions that are set, intervals and
-    /// picks that come back. Take it off your own in doubles.
+    Mesh mesh; ///< relative to `origin`
+    /// The origin that was subtracted from every position, as LoadedMesh::origin. Zero, unless the
+    /// model lies so far from zero, compared with its size, that floats could not hold its details.
+    /// All coordinates that go with the mesh are relative to the origin: those of cameras, matrices
+    /// and positions that are set, and those of intervals and picks that are returned. Subtract it
+    /// from your own coordinates in doubles.
     glm::dvec3 origin{0};
 };
 
-/// As make_mesh() of MeshArrays. A position that is no finite float once the origin is taken off
-/// is refused by extract_lines(), as in any mesh.
+/// As make_mesh() of MeshArrays. extract_lines() refuses a position that is no finite float after
+/// the origin was subtracted, as in any mesh.
 LINEATLAS_API ExactMesh make_mesh(const ExactArrays& arrays);
 
 } // namespace lineatlas

@@ -10,15 +10,16 @@
 
 namespace lineatlas {
 
-/// What a camera should show that frames a whole model.
+/// The points that a camera should show to frame a whole model.
 struct Framing {
     std::vector<glm::vec3> points; ///< for frame_points()
-    std::string note{}; ///< a line for people if a small part lies far from all else, or nothing
+    std::string note{}; ///< a line for people if a small part lies far from the rest, else empty
 };
 
-/// The vertices of a model, but for a part that is at most a thousandth of its triangles and lines
-/// and lies so far away that a picture of all would be at least twice as wide for its sake. The
-/// note says so; and where up to 2 % lie so far, which are framed, how wide it makes the picture.
+/// The vertices of a model, except those of a small part far away: one with at most a thousandth of
+/// the triangles and lines, so far away that it would make the picture at least twice as wide. The
+/// note names such a part. A part of up to 2 % so far away is framed, and the note says how wide it
+/// makes the picture.
 LINEATLAS_API Framing framing_of(const LineSet& lines);
 
 } // namespace lineatlas

@@ -6,19 +6,20 @@
 
 namespace lineatlas {
 
-/// A GL 4.5 core context without a window or a display server (EGL surfaceless), current on the
-/// thread that made it until it is destroyed or another is made current there. It has no
-/// framebuffer of its own.
+/// A GL 4.5 core context without a window or a display server (EGL surfaceless). It is current on
+/// the thread that made it until it is destroyed or another context is made current there. It has
+/// no framebuffer of its own.
 class LINEATLAS_API HeadlessContext {
   public:
     /// Throws DeviceError if EGL or GL 4.5 is missing; the message says which package to install.
     HeadlessContext();
-    /// Leaves another context that is current where it is.
+    /// If another context is current, it stays current.
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    /// On this thread; it must be current on no other. Throws DeviceError.
+    /// Makes the context current on this thread; it must be current on no other. Throws
+    /// DeviceError.
     void make_current();
 
   private:

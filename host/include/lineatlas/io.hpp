@@ -18,66 +18,71 @@
 
 namespace lineatlas {
 
-/// A part of a model that has any: a node of a glTF scene, an instance in an assembly.
+/// A part of a model: a node of a glTF scene, or an instance in an assembly.
 struct ModelPart {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
-    std::string name;            ///< as in the file, or what it is called there for want of one
-    std::uint32_t parent = none; ///< index of the part that it is in, before its own; none: of none
+    std::string name;            ///< its name in the file; if it has none, another name that the
+                                 ///< file gives it
+    std::uint32_t parent = none; ///< index of the part that contains it, less than its own; none:
+                                 ///< no part
     /// Its number in Mesh::triangle_object and Mesh::polyline_object; none: it only holds others.
     std::uint32_t object = none;
-    std::uint32_t shape = none; ///< the same for instances of the same shape
+    std::uint32_t shape = none; ///< an equal number for instances of the same shape
 };
 
-/// A mesh from a file, with what was repaired or dropped on the way.
+/// A mesh from a file, with notes on what was repaired or dropped.
 struct LoadedMesh {
-    Mesh mesh; ///< what the file holds; indices are in range, positions finite
+    Mesh mesh; ///< the contents of the file; indices are in range, positions finite
     std::vector<std::string>
         notes; ///< one line each, e.g. "12 faces with fewer than 3 corners dropped"
-    /// What was taken off every position: zero, unless the model lies so far from zero, compared
-    /// with its size, that floats there could not hold it.
+    /// The origin that was subtracted from every position. Zero, unless the model lies so far from
+    /// zero, compared with its size, that floats could not hold its details.
     glm::dvec3 origin{0};
     std::string format{};           ///< "glTF 2.0", "STEP AP214", "OBJ"
-    std::optional<glm::vec3> up{};  ///< the upward axis, where the format or the file says it
-    std::optional<double> unit{};   ///< millimetres in one unit of length, where it is said
-    std::vector<ModelPart> parts{}; ///< a tree in the order of the file; empty where it has none
-    /// Of STEP, IGES and BREP: LoadOptions::deflection, as it was given or found; else 0.
+    std::optional<glm::vec3> up{};  ///< the upward axis, if the format or the file says it
+    std::optional<double> unit{};   ///< millimetres in one unit of length, if the file says it
+    std::vector<ModelPart> parts{}; ///< a tree in the order of the file; empty if the file has no
+                                    ///< parts
+    /// For STEP, IGES and BREP LoadOptions::deflection, as it was given or computed; else 0.
     double deflection = 0;
 };
 
 /// How models are read.
 struct LoadOptions {
-    /// Of STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres
-    /// or the file's unit if it says none; 0: a quarter of one of `pixels`.
+    /// For STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres.
+    /// If the file names no unit, it is in the file's own. 0: a quarter of one of `pixels`.
     double deflection = 0;
-    /// Over how many pixels the diagonal of such a model is drawn, 1 to 1e6. As it stands, that of
-    /// a picture of 1024 x 768.
+    /// The length in pixels at which the diagonal of such a model is drawn, 1 to 1e6. The default
+    /// is the diagonal of a picture of 1024 x 768.
     double pixels = 1280;
-    /// Of STEP, IGES and BREP, which a process of its own reads: how much memory that may take, in
-    /// GiB; 0: 2 and 32 times the file's size.
+    /// For STEP, IGES and BREP, which are read in a process of their own: how much memory that
+    /// process may take, in GiB; 0: 2 GiB plus 32 times the file's size.
     double read_memory = 0;
-    double read_seconds = 0; ///< and how much time; 0: 60 and one for each MB of the file
+    double read_seconds = 0; ///< how much time it may take; 0: 60 s plus one for each MB of the
+                             ///< file
 };
 
-/// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM, and by modules
-/// that are loaded when they are needed glTF and GLB, 3MF, STEP, IGES and BREP; chosen by extension
-/// in any case. Throws FileError, one line that names the file and the cause, when the
-/// file is missing, empty, truncated, of another type than its name says, refers to vertices it
-/// does not have, or holds no triangle and no polyline. May be called from several threads.
+/// Reads OBJ (groups, materials and `l` elements included), PLY, STL, OFF and OM. Modules, loaded
+/// when they are needed, read glTF and GLB, 3MF, STEP, IGES and BREP. The extension, in upper or
+/// lower case, chooses the format. Throws FileError, one line that names the file and the cause,
+/// when the file is missing, empty, truncated, of another type than its name says, refers to
+/// vertices it does not have, or holds no triangle and no polyline. May be called from several
+/// threads.
 ///
-/// STEP, IGES and BREP are read by Open CASCADE, which crashes on many a damaged file: by a
-/// confined process of its own, the program `lineatlas-reader` beside the module, which ends with
-/// the call. A crash, too much memory or time are a FileError, too.
+/// STEP, IGES and BREP are read by Open CASCADE, which crashes on many damaged files. So they are
+/// read in a confined process, the program `lineatlas-reader` beside the module, which ends with
+/// the call. A crash, and too much memory or time, are a FileError, too.
 ///
-/// Polygons are triangulated, concave ones included. Positions are as in the file, less
-/// LoadedMesh::origin; only STL, which has no indices, comes welded at equal positions. Faces with
-/// coordinates that are no finite numbers or beyond 1e15 are dropped. A group is one pair of object
+/// Polygons are triangulated, concave ones included. Positions are those of the file less
+/// LoadedMesh::origin. Only STL, which has no indices, is welded at equal positions. Faces with
+/// coordinates that are not finite or beyond 1e15 are dropped. A group is one pair of object
 /// and material in an OBJ file, its object named `o`, `g`, or `o/g` where both are given; its
-/// colour comes from the .mtl file when that is there, and a note says when it is not. Files that
-/// name nothing, and the other mesh types, have no groups. Instances in scenes and assemblies
+/// colour comes from the .mtl file; a note says so if that file is missing. OBJ files without
+/// names, and the other mesh types, have no groups. Instances in scenes and assemblies
 /// become triangles of their own, with a group for each of them and its materials.
 ///
-/// Throws Cancelled where `progress` says so; of OBJ files it is asked all along, of others when
-/// the file is in memory and when it is understood.
+/// Throws Cancelled if `progress` returns false. For OBJ files `progress` is called all along, for
+/// others after the file was read into memory and after it was parsed.
 LINEATLAS_API LoadedMesh load_mesh(const std::filesystem::path& path,
                                    const LoadOptions& options = {}, const Progress& progress = {});
 
@@ -92,30 +97,32 @@ struct Pixels {
 
 /// What a picture file holds besides its pixels.
 struct ImageSettings {
-    int bits = 0;              ///< per channel; 0: what its type usually has (EXR 16, others 8)
-    float dpi = 0;             ///< pixels per inch on paper; 0: not said
-    std::string description{}; ///< what made the picture, in one line; empty: not said
+    int bits = 0;              ///< per channel; 0: the usual number of the file type (EXR 16,
+                               ///< others 8)
+    float dpi = 0;             ///< pixels per inch on paper; 0: not written
+    std::string description{}; ///< what made the picture, in one line; empty: not written
 };
 
-/// Reads any image OpenImageIO can, converted to 8 bits per channel; of more than 4 channels the
-/// first 4. Files of floats (EXR, HDR) hold linear light, which is sRGB-coded on the way. Throws
-/// FileError, also for more than 2^28 pixels.
+/// Reads any image that OpenImageIO can read, converted to 8 bits per channel; of more than 4
+/// channels it takes the first 4. Linear light of floating-point files (EXR, HDR) is converted to
+/// sRGB. Throws FileError, also for more than 2^28 pixels.
 LINEATLAS_API Image read_image(const std::filesystem::path& path);
 
-/// Writes a picture through OpenImageIO, format by extension. The file appears whole or not at all:
-/// it is written beside its place under another name and renamed. Formats without alpha (JPEG) get
-/// the picture over white; EXR and HDR get linear light with colour multiplied by alpha, as they
-/// expect. Throws FileError.
+/// Writes a picture by OpenImageIO, in the format of the extension. The file appears whole or not
+/// at all: it is written under another name in the same folder and renamed. In formats without
+/// alpha (JPEG) the picture lies over white. EXR and HDR get linear light with colour multiplied by
+/// alpha, as these formats expect. Throws FileError.
 LINEATLAS_API void write_image(const std::filesystem::path& path, const Pixels& pixels,
                                const ImageSettings& settings = {});
 /// The same for 8-bit pixels whose colour is not multiplied by alpha.
 LINEATLAS_API void write_image(const std::filesystem::path& path, const Image& image);
 
-/// Throws FileError unless a picture could be written at `path`: known extension, folder exists and
-/// is writable. Called before long work, so that it is not lost.
+/// Throws FileError unless a picture could be written to `path`: the extension is known, and the
+/// folder exists and is writable. Call it before long work, so that the work is not lost.
 LINEATLAS_API void check_image_path(const std::filesystem::path& path);
 
-/// Throws FileError unless pictures of this extension can have such settings, and transparency.
+/// Throws FileError unless pictures of this extension can have these settings and, if asked for,
+/// transparency.
 LINEATLAS_API void check_image_settings(const std::filesystem::path& path,
                                         const ImageSettings& settings, bool transparent);
 

@@ -8,8 +8,9 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/profile.hpp"
 
-// Why kernels take their time: what they do, counted, beside what the machine can do. The counts do
-// not depend on the device, since every device runs the same kernels:
+// Why kernels take their time: the counted bytes and operations of each kernel, compared with what
+// the machine reaches. The counts do not depend on the device, since every device runs the same
+// kernels:
 //
 //     register_counting_device();
 //     renderer.set_device({.compute = "counting"});
@@ -19,31 +20,32 @@
 //     const auto kernels = kernel_times(profiles, take_launch_counts(), roofs);
 namespace lineatlas {
 
-/// What one launch of a kernel does.
+/// The work of one launch of a kernel.
 struct LaunchCounts {
     std::string kernel; ///< its name
-    /// Of the lines of 64 bytes that it reads, and of those that it writes, each once: what memory
-    /// must move for it if a cache holds all else.
+    /// The bytes of the lines of 64 bytes that it reads, and of those that it writes, each counted
+    /// once. Memory must move these even if a cache holds everything else.
     std::uint64_t bytes = 0;
     /// Sums, differences, products, quotients, roots and comparisons of floats, one by one.
     std::uint64_t operations = 0;
 };
 
-/// Makes the device kind "counting" known: kernels as C++ that count, many times slower than "cpp".
-/// Once, before any thread uses the library; a second call does nothing.
+/// Registers the device kind "counting": kernels as C++ that count, many times slower than "cpp".
+/// Must be called before any thread uses the library; a second call does nothing.
 LINEATLAS_API void register_counting_device();
 
-/// What devices of that kind have launched since the last call, in order. Not while one works.
+/// The launches of devices of the kind "counting" since the last call, in order. Must not be called
+/// while such a device works.
 LINEATLAS_API std::vector<LaunchCounts> take_launch_counts();
 
-/// What a device reaches at most.
+/// The highest rates that a device reaches.
 struct Roofs {
     double copy = 0;       ///< 10^9 bytes a second: FrameProfile::copy_gigabytes_per_second
     double arithmetic = 0; ///< 10^9 operations of floats a second; 0 if it is not known
 };
 
-/// Roofs::arithmetic of this machine's CPU, all cores together: products and sums in registers, of
-/// the instruction set that kernels as C++ use, without contraction. Takes a tenth of a second.
+/// Roofs::arithmetic of this machine's CPU, all cores together: products and sums in registers, by
+/// the instruction set of the kernels as C++, without contraction. Takes a tenth of a second.
 LINEATLAS_API double measure_arithmetic();
 
 /// What keeps a kernel from being faster.
@@ -52,7 +54,8 @@ enum class Bound {
     launch,     ///< it takes less than three times as long as the shortest launch of all
     memory,     ///< it moves its bytes at half of Roofs::copy or faster
     arithmetic, ///< it computes at half of Roofs::arithmetic or faster
-    latency,    ///< none of these: waits for memory or for results, branches, idle lanes and cores
+    latency,    ///< otherwise: it waits for memory or for results, branches, or leaves lanes and
+                ///< cores idle
 };
 
 /// "unknown", "launch", "memory", "arithmetic" or "latency".
@@ -60,8 +63,8 @@ LINEATLAS_API const char* name_of(Bound bound);
 
 /// A kernel within a stage. Times are nanoseconds of a launch.
 struct KernelTime {
-    std::string stage;          ///< that it ran in
-    std::string name;           ///< of the kernel
+    std::string stage;          ///< the stage that it ran in
+    std::string name;           ///< name of the kernel
     std::uint64_t launches = 0; ///< in all frames
     double median = 0;          ///< of a launch
     double p10 = 0;             ///< the 10th percentile
@@ -69,24 +72,24 @@ struct KernelTime {
     double sum = 0;             ///< of all launches
     double bytes = 0;           ///< of a launch, mean; 0 if it was not counted
     double operations = 0;      ///< of a launch, mean
-    /// 10^9 bytes a second of a launch, the median: launches may be of unequal size.
+    /// 10^9 bytes a second: the median over launches, which may be of unequal size.
     double gigabytes_per_second = 0;
     double gigaops_per_second = 0; ///< 10^9 operations a second, likewise
     Bound bound = Bound::unknown;  ///< what it waits for
 };
 
-/// Every kernel of the frames, the longest sum first. `counts`: of one such frame; the k-th launch
-/// of a kernel in a frame belongs to its k-th there, or to an equal part of all where there are
-/// others.
+/// Every kernel of the frames, the longest sum first. `counts`: the launches of one such frame. The
+/// k-th launch of a kernel in a frame gets the k-th count of that kernel; if the numbers of
+/// launches differ, every launch gets an equal part of all counts.
 LINEATLAS_API std::vector<KernelTime> kernel_times(std::span<const FrameProfile> frames,
                                                    std::span<const LaunchCounts> counts,
                                                    const Roofs& roofs);
 
-/// For people.
+/// A table for people.
 LINEATLAS_API std::string kernel_table(std::span<const KernelTime> kernels, const Roofs& roofs);
-/// A row per kernel, with a header.
+/// The same as CSV: a header, then a row per kernel.
 LINEATLAS_API std::string kernel_csv(std::span<const KernelTime> kernels, const Roofs& roofs);
-/// "roofs" and "kernels"; docs/profiling.md has the keys.
+/// The same as JSON, with the members "roofs" and "kernels"; docs/profiling.md has the keys.
 LINEATLAS_API std::string kernel_json(std::span<const KernelTime> kernels, const Roofs& roofs);
 /// The roofline (Williams, Waterman and Patterson 2009) as SVG: operations a second over operations
 /// per byte, with a dot for each kernel that was counted and computes with floats.

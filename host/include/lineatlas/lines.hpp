@@ -63,8 +63,8 @@ inline constexpr std::array<std::string_view, 3> silhouettes_names{"auto", "smoo
 /// Which edges of a mesh are lines, and how they are chained.
 struct LineOptions {
     LineKindMask lines = all_line_kinds; ///< kinds: others are not extracted
-    /// Radians, 0 to pi: every edge bent by more is a crease. Nothing: those bent by more than 30
-    /// degrees are, but for noise of scans and for seams (docs/lines.md); a number leaves out none.
+    /// Radians, 0 to pi: every edge bent by more is a crease. Nothing: edges bent by more than 28.8
+    /// degrees are creases, except noise of scans and seams (docs/lines.md).
     std::optional<float> crease{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
@@ -72,9 +72,9 @@ struct LineOptions {
     /// that where they touch each has a line of its own, and nothing is cut where they meet. They
     /// are those of Mesh::triangle_object, or groups of one name.
     bool separate_objects = false;
-    /// Of what KnownEdge::Kind::smooth is, draw creases too: where a fillet ends.
+    /// Make creases of edges of KnownEdge::Kind::smooth, too: where a fillet ends.
     bool smooth_edges = false;
-    /// By methods other than `exact` and `atlas` they run along edges.
+    /// Methods other than `exact` and `atlas` draw silhouettes along edges in any case.
     Silhouettes silhouettes = Silhouettes::automatic;
 };
 
@@ -91,10 +91,10 @@ struct LineSource {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
     std::uint32_t from = none; ///< index into Mesh::positions of the segment's start p
     std::uint32_t to = none;   ///< index into Mesh::positions of its end q
-    /// Into Mesh::triangles, has both; of a ridge or valley what it runs through, which has no
-    /// positions; none for a file's polyline.
+    /// Index into Mesh::triangles of one that has both; for a ridge or valley of the one that it
+    /// runs through, while `from` and `to` are none; none for a file's polyline.
     std::uint32_t triangle = none;
-    /// Of an intersection the other triangle of the two that it lies in, while it has no positions.
+    /// For an intersection the other one of the two triangles, while `from` and `to` are none.
     std::uint32_t crossing = none;
 };
 
@@ -132,18 +132,18 @@ struct LineTimes {
 };
 
 /// Where silhouettes of smooth surfaces may run: one segment through a triangle, from edge to edge,
-/// where it depends on the view. Each such triangle is a segment of the line set, the last ones,
-/// which has it as both of its faces and two corners of it as ends.
+/// at places that depend on the view. The last segments of a LineSet stand for such triangles, one
+/// each: both faces of the segment are the triangle, its ends are two of the triangle's corners.
 struct Contours {
     std::vector<ContourCorner> corners; ///< a vertex with the normal of a smooth patch there
     std::vector<glm::uvec2> edges;      ///< into `corners`
-    /// Into `edges`, around the triangle of each such segment; with LA_CONTOUR_TURNED what runs the
-    /// other way.
+    /// Indices into `edges`, around the triangle of each such segment; with LA_CONTOUR_TURNED for
+    /// an edge that runs the other way.
     std::vector<glm::uvec3> faces;
     /// Segments before those that they stand for: the same silhouettes along edges.
     std::uint32_t replaced = 0;
-    /// On what they lie by the exact method, per each of `faces` in place of a triangle of the
-    /// mesh. Empty: on what normals say.
+    /// The surfaces on which silhouettes by the exact method lie, with one entry for each of
+    /// `faces` in place of a triangle of the mesh. Empty: silhouettes go by normals.
     KnownSurfaces surfaces{};
 
     bool empty() const { return faces.empty(); } ///< silhouettes run along edges everywhere
@@ -167,15 +167,15 @@ struct LineSet {
     static constexpr std::uint16_t no_color = 0xFFFF; ///< of triangles without a colour
     std::vector<MeshGroup> groups{};                  ///< of the mesh
     std::vector<std::uint32_t> triangle_group{};      ///< per triangle, into `groups`; or empty
-    /// Per vertex a position of the mesh that it was welded of; of a cut vertex the nearer end of
-    /// its edge.
+    /// Per vertex one of the mesh's positions that were welded into it; for a cut vertex the nearer
+    /// end of its edge.
     std::vector<std::uint32_t> vertex_sources{};
     std::vector<std::uint32_t> triangle_sources{}; ///< per triangle, index into Mesh::triangles
     /// With LineOptions::separate_objects; their vertices come in this order.
     std::vector<LineObject> objects{};
     OddTriangles odd{}; ///< what was left out or repaired
     LeftOut left_out{}; ///< what might have been a line
-    LineTimes times{};  ///< for people who wonder
+    LineTimes times{};  ///< how long the steps took
     /// Behind the other vertices of their object.
     std::vector<CutVertex> cut_vertices{};
     Contours contours{}; ///< see LineOptions::silhouettes
@@ -205,9 +205,9 @@ LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world
 /// object that there is not.
 LINEATLAS_API void hide_objects(LineSet& lines, std::span<const std::uint32_t> objects);
 
-/// Puts the vertices where they would be had the mesh these positions, in its order: a mesh that
-/// bends and stretches, but keeps its triangles. Lines stay what they are in the mesh, and what is
-/// smooth stays so, by normals of the triangles as they are now. A renderer shows it by
+/// Moves the vertices to the places that they have if the mesh has these positions, in its order:
+/// for a mesh that bends and stretches, but keeps its triangles. Lines keep their kinds and edges.
+/// Smooth surfaces stay smooth, with normals of the moved triangles. A renderer shows it by
 /// Renderer::set_positions() of LineSet::vertices. Throws UsageError where there are fewer
 /// positions than vertices come from, or one of them is not finite; then all is as it was.
 LINEATLAS_API void move_vertices(LineSet& lines, std::span<const glm::vec3> positions);

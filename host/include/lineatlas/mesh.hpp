@@ -24,13 +24,13 @@ struct MeshGroup {
     std::optional<glm::vec3> color{};
 };
 
-/// An edge of which the file itself says what it is, as files of exact surfaces do (STEP). It runs
-/// along edges of triangles, or along a polyline.
+/// An edge whose kind the file itself gives, as files of exact surfaces do (STEP). It runs along
+/// edges of triangles, or along a polyline.
 struct KnownEdge {
     /// What a KnownEdge is.
     enum class Kind : std::uint32_t {
         sharp,  ///< between two faces that meet at an angle: a crease however small that is
-        smooth, ///< between two faces that go over into each other
+        smooth, ///< between two faces that meet smoothly
         seam,   ///< where a face that goes round, as a cylinder's, meets itself: never a line
         free,   ///< of one face only: a boundary
         wire,   ///< of no face: a polyline; says nothing of edges of triangles
@@ -71,9 +71,9 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_object{};
     /// The same per polyline. Empty: polylines are one object, the last.
     std::vector<std::uint32_t> polyline_object{};
-    /// Where there are any, they say which edges are creases and boundaries, and angles between
-    /// triangles do not: those within a curved face are the tessellation's own. Where all of them
-    /// are KnownEdge::Kind::marked or wire, angles decide of all others.
+    /// If there are any, they decide which edges are creases and boundaries. Angles between
+    /// triangles do not, because inside a curved face they come from the tessellation. If all of
+    /// them are KnownEdge::Kind::marked or wire, angles decide about all other edges.
     std::vector<KnownEdge> known_edges{};
     /// Per number of a file's edge (KnownEdge::edge) its curve, or nothing where it is none of
     /// these. It may end before the last number. Paths leave as such (SvgOptions::curves).
@@ -91,9 +91,9 @@ struct Mesh {
     /// The surfaces that curved triangles approximate; their normals are those of `corner_normals`.
     /// Smooth silhouettes by the exact method lie on them. Empty: none are known.
     KnownSurfaces surfaces{};
-    /// How far a position may be off the place that was meant, as in files that round to a grid, or
-    /// a chord off its curve, in model units: what is nearer than that touches. 0: as far as floats
-    /// are.
+    /// How far a position may be off its exact place, as in files that round to a grid, or a chord
+    /// off its curve, in model units. Things nearer than that count as touching. 0: the precision
+    /// of floats.
     float precision = 0;
 
     /// Whether it has nothing to draw.

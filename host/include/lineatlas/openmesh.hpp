@@ -1,7 +1,7 @@
 #pragma once
 
-// For programs that have OpenMesh themselves: nothing of it is included here, and no library of
-// lineatlas needs more of it for this. Include the kernel of your meshes, too.
+// For programs that use OpenMesh. This header includes nothing of OpenMesh, and it makes no library
+// of lineatlas depend on OpenMesh. Include the kernel of your meshes, too.
 
 #include <algorithm>
 #include <cmath>
@@ -21,28 +21,28 @@
 
 namespace lineatlas {
 
-/// Which normals of an OpenMesh mesh are those of its surface (Mesh::corner_normals), where it has
-/// them.
+/// Which normals of an OpenMesh mesh are taken for those of its surface (Mesh::corner_normals), if
+/// the mesh has them.
 enum class OpenMeshNormals : std::uint32_t {
     none,
-    halfedges, ///< per face and corner: they may differ on both sides of a crease
-    vertices,  ///< one for all faces around a vertex: of meshes without creases
+    halfedges, ///< one per face and corner: they may differ on the two sides of a crease
+    vertices,  ///< one for all faces around a vertex: for meshes without creases
 };
 
-/// What is taken of an OpenMesh mesh beside its positions and faces.
+/// What is taken from an OpenMesh mesh in addition to its positions and faces.
 struct OpenMeshOptions {
     /// Edges with the status bit FEATURE are creases, however small their angle
     /// (KnownEdge::Kind::marked); the number of such a KnownEdge is that of its edge handle.
     bool features = true;
-    OpenMeshNormals normals = OpenMeshNormals::halfedges; ///< as their length says, made unit ones
+    OpenMeshNormals normals = OpenMeshNormals::halfedges; ///< scaled to unit length
 };
 
 /// A Mesh made of an OpenMesh mesh of any kernel (`HalfedgeMesh`, such as
 /// OpenMesh::PolyMesh_ArrayKernelT<>), with the way back from its lines to edges and from its
 /// triangles to faces.
 ///
-/// The mesh is a copy. Going back asks the mesh that it was made of, which has to outlive this and
-/// to keep its vertices, edges and faces; positions and properties may change.
+/// mesh() is a copy. Edges and faces are looked up in the OpenMesh mesh, which must outlive this
+/// object and keep its vertices, edges and faces. Its positions and properties may change.
 template <class HalfedgeMesh>
 class OpenMeshModel {
   public:
@@ -52,8 +52,8 @@ class OpenMeshModel {
     using FaceHandle = typename HalfedgeMesh::FaceHandle;
 
     /// Takes faces that are neither deleted nor hidden; garbage need not be collected. Polygons
-    /// become triangles, concave ones included. A position that is no finite float once the origin
-    /// is taken off is refused by extract_lines(), as in any mesh.
+    /// become triangles, concave ones included. extract_lines() refuses a position that is no
+    /// finite float after the origin was subtracted, as in any mesh.
     explicit OpenMeshModel(const HalfedgeMesh& source, const OpenMeshOptions& options = {})
         : source_(&source) {
         place_vertices();
@@ -73,20 +73,20 @@ class OpenMeshModel {
         if (options.features && source.has_edge_status()) mark_features();
     }
 
-    /// In the units of the OpenMesh mesh, about origin(). Position i is that of the vertex with the
-    /// index i, also where no face has it.
+    /// The mesh in the units of the OpenMesh mesh, relative to origin(). Position i is that of the
+    /// vertex with the index i, even if no face has this vertex.
     const Mesh& mesh() const { return mesh_; }
 
-    /// What was taken off every position (ExactMesh::origin).
+    /// The origin that was subtracted from every position (ExactMesh::origin).
     glm::dvec3 origin() const { return origin_; }
 
-    /// The face that a triangle of mesh() is, or is a part of.
+    /// The face that a triangle of mesh() is, or that it is a part of.
     FaceHandle face(std::uint32_t triangle) const { return faces_.at(triangle); }
 
-    /// The edge that a line runs along: of an Interval that of
-    /// `LineSet::sources[interval.segment]`. Invalid where there is none: of a smooth silhouette,
-    /// an intersection, a line of the program's own, and between triangles of one polygon. Where
-    /// several edges are at one place, one of them.
+    /// The edge that a line runs along; for an Interval, `line` is
+    /// `LineSet::sources[interval.segment]`. Invalid if there is no edge: for a smooth silhouette,
+    /// an intersection, a line of the program's own, and between triangles of one polygon. If
+    /// several edges lie at one place, one of them.
     EdgeHandle edge(const LineSource& line) const {
         const std::size_t count = source_->n_vertices();
         if (line.triangle == LineSource::none || line.from >= count || line.to >= count)
@@ -96,8 +96,8 @@ class OpenMeshModel {
     }
 
     /// Makes groups of a property of faces (OpenMesh::FPropHandleT), of numbers or strings: faces
-    /// of one value are a group, whose material is the value as text (Mesh::groups). Between groups
-    /// are material lines. The mesh must have the property.
+    /// with equal values are a group, whose material is the value as text (Mesh::groups). The
+    /// borders of groups are material lines. The mesh must have the property.
     template <class FaceProperty>
     void set_groups(const FaceProperty& property) {
         using Value = std::decay_t<decltype(source_->property(property, FaceHandle{}))>;

@@ -10,20 +10,20 @@
 
 namespace lineatlas {
 
-/// What is seen at a point of a picture: a line that is near, or else the face of a triangle.
+/// The thing at a point of a picture: a line near the point, or else the face of a triangle.
 struct Pick {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
-    /// Index into LineSet::segments, and so into LineSet::sources, which has the edge of the mesh;
-    /// none: no line is near enough.
+    /// For a line: index into LineSet::segments, and into LineSet::sources, which has the edge of
+    /// the mesh. none: no line is near enough.
     std::uint32_t segment = none;
     std::optional<LineKind> kind{}; ///< of the line
-    /// Of a face: index into LineSet::triangles, and so into LineSet::triangle_sources.
+    /// For a face: index into LineSet::triangles and into LineSet::triangle_sources.
     std::uint32_t triangle = none;
-    std::uint32_t object = 0; ///< index into LineSet::objects; 0 where there are none
-    /// Window position of what was found: pixels from the lower left corner of the viewport.
+    std::uint32_t object = 0; ///< index into LineSet::objects; 0 if there are none
+    /// Window position on the line or face: pixels from the lower left corner of the viewport.
     glm::vec2 position{0, 0};
-    float distance = 0; ///< pixels to it from the point asked for; 0 for a face
-    glm::vec3 world{0}; ///< the point of the model that is seen there
+    float distance = 0; ///< pixels from the given point to `position`; 0 for a face
+    glm::vec3 world{0}; ///< the point of the model at `position`
 };
 
 } // namespace lineatlas

@@ -7,10 +7,10 @@
 
 namespace lineatlas {
 
-/// Told by a call that may take long how much of it is done, as a share from 0 to 1 that never
-/// falls; the last one is 1. Returns whether to go on: after false the call throws Cancelled, and
-/// what it was to make is not made. Runs on the thread of the call, between steps of its work, and
-/// must not throw. Empty: nobody asks.
+/// A function that a long call calls with the share of its work that is done, from 0 to 1. The
+/// share never falls, and the last one is 1. The function returns whether to go on: after false the
+/// call throws Cancelled and has no result. It runs on the thread of the call, between steps of the
+/// work, and must not throw. Empty: no progress is reported.
 using Progress = std::function<bool(float done)>;
 
 /// A call was stopped by its Progress.

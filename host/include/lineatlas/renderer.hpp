@@ -48,7 +48,7 @@ enum class StageForm {
     compute,   ///< in kernels
 };
 
-/// For who measures or looks for a fault: what form stages have. All but `automatic` may be slower;
+/// The forms of stages, for measurements and for finding faults. All but `automatic` may be slower;
 /// the picture is the same but for rounding.
 struct StageForms {
     /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples; `automatic`:
@@ -90,9 +90,9 @@ struct FrameOptions {
     /// number and has three layers if it is more than one.
     std::uint32_t probes = 9;
     int depth_scale = 2; ///< depth texels per pixel and axis: 1 to 4
-    /// What hides lines, in place of a depth buffer that the renderer draws of the triangles of the
-    /// line set; `depth_scale` and the form of `depth` do not count then. Methods atlas and spine
-    /// only.
+    /// A depth buffer that hides lines, in place of the one that the renderer draws of the line
+    /// set's triangles; `depth_scale` and the form of `depth` have no effect then. Methods atlas
+    /// and spine only.
     std::optional<DepthTexture> own_depth{};
     float step = 2;                      ///< k: pixels between samples, 0.01 to 10000 (§4.1)
     LineKindMask lines = all_line_kinds; ///< what is drawn of the kinds extracted
@@ -181,9 +181,10 @@ class LINEATLAS_API Renderer {
     /// came up; docs/architecture.md says what each holds.
     std::vector<compute::TableMemory> tables() const;
 
-    /// One line for people where the device is not what they may expect: no OpenCL driver works, or
-    /// one did not build a kernel, which may show when a frame first needs that, and the next
-    /// device has taken over. Else empty, and always so where DeviceOptions names one.
+    /// One line for people if the device is not the expected one: no OpenCL driver works, or a
+    /// driver did not build a kernel and the next device has taken over. The latter may happen when
+    /// a frame first needs the kernel. Else empty, and always empty if DeviceOptions names a
+    /// device.
     std::string note() const;
 
     /// Changes backend, device and sharing mode between frames. Lines and pens stay, from memory of
@@ -207,10 +208,11 @@ class LINEATLAS_API Renderer {
     /// Uploads the lines and triangles to draw; they replace what was there. Throws UsageError for
     /// an index that is out of range and a vertex that is not finite; what was there stays then.
     void set_lines(const LineSet& lines);
-    /// The same of the parts of an assembly, which may change and be set again: what it had when it
-    /// was set last stays, where it was moved to and hidden, too, and costs nothing; new parts
-    /// stand where they were made. Objects are its parts; numbers that stand for none count among
-    /// those of set_transforms(), whatever their matrix. What a frame left to read is gone.
+    /// The same with the parts of an assembly, which may change and be set again. Parts that were
+    /// there when it was set last keep their places, stay moved or hidden, and cost nothing; new
+    /// parts are where they were made. Each part is an object. set_transforms() takes a matrix for
+    /// every number, also for removed parts; theirs is ignored. Results of the last frame can no
+    /// longer be read.
     void set_lines(const Assembly& parts);
 
     /// Moves the objects (LineSet::objects; the whole model, if it has none): a matrix for each,
@@ -233,12 +235,12 @@ class LINEATLAS_API Renderer {
     /// there is not; then all is as it was.
     void set_hidden(std::span<const std::uint32_t> objects);
 
-    /// Builds ahead all kernels that frames with these options need, whatever their lines are and
-    /// wherever they are seen from, so that no draw() with them builds any. It may come before
-    /// set_lines(); after it, it also builds what PoCL wants for 65,536 and more segments, vertices
-    /// or triangles. What was built stays for all renderers of the process on that device
-    /// (docs/embedding.md); set_device() may need others. Nothing of the options counts that
-    /// concerns the picture alone. `progress` is asked before each kernel, in your GL state; what
+    /// Builds all kernels that frames with these options need, whatever the lines and the camera
+    /// are, so that no draw() with these options builds any. May be called before set_lines().
+    /// After set_lines() it also builds the forms that PoCL needs for 65,536 and more segments,
+    /// vertices or triangles. Built kernels stay for all renderers of the process on that device
+    /// (docs/embedding.md); after set_device() others may be needed. Options that concern only the
+    /// picture have no effect. `progress` is asked before each kernel, in your GL state; what
     /// was built until it said false stays built. Throws as draw() does for options that are wrong.
     void prepare(const FrameOptions& options, const Progress& progress = {});
 
@@ -249,15 +251,15 @@ class LINEATLAS_API Renderer {
     /// framebuffer that is not complete or lacks the depth attachment that a fill needs.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
-    /// What TileTarget::tile_size must be at most for a picture of this size to be drawn here; 0 if
-    /// draw() can draw it whole. Throws UsageError for a size that nothing can.
+    /// The largest TileTarget::tile_size with which a picture of this size can be drawn here; 0 if
+    /// draw() can draw it whole. Throws UsageError for a size that cannot be drawn at all.
     int tile_size(glm::ivec2 size, const FrameOptions& options) const;
 
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
     /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
-    /// top to bottom. Method atlas in its compute form only; `cull_hidden` and `steady` are off.
-    /// Throws Cancelled where TileTarget::progress says so, and can draw on after it; UsageError as
-    /// draw() does.
+    /// top to bottom. Only methods exact, and atlas in its compute form; `cull_hidden` and `steady`
+    /// are off. Throws Cancelled where TileTarget::progress says so, and can draw on after it;
+    /// UsageError as draw() does.
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
 
@@ -302,7 +304,7 @@ class LINEATLAS_API Renderer {
 
     /// The profiles of frames drawn with `FrameOptions::profile` that were not taken yet, in order.
     /// GL and the device tell the times of a frame while later ones are drawn; with `wait` this
-    /// waits for the last. What is more than four frames behind is dropped, and counted.
+    /// waits for the last. Frames more than four behind are dropped, and counted.
     std::vector<FrameProfile> take_profiles(bool wait = true);
 
   private:

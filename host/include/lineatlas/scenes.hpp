@@ -11,17 +11,17 @@
 
 namespace lineatlas {
 
-/// A built-in procedural model with the camera path it is measured on (Table 1). The same on every
-/// machine and in every run.
+/// A built-in procedural model with the camera path of its measurements (Table 1). It is the same
+/// on every machine and in every run.
 struct Scene {
-    std::string name; ///< as make_scene() knows it
+    std::string name; ///< the name for make_scene()
     Mesh mesh;        ///< y up
     /// The view at `t` in [0, 1] along the camera path; continuous, with near and far planes set so
     /// that they do not change along the path. An orbit closes: view(0) equals view(1).
     std::function<View(float t)> view;
 };
 
-/// The names `make_scene` knows, in the order of Table 1: clevis, house, ship, office.
+/// The names that make_scene() takes, in the order of Table 1: clevis, house, ship, office.
 LINEATLAS_API std::span<const std::string_view> scene_names();
 
 /// Builds a scene. Throws UsageError for an unknown name.

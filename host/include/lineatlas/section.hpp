@@ -14,39 +14,40 @@ namespace lineatlas {
 
 /// A plane that cuts a model.
 struct SectionPlane {
-    glm::dvec3 point{0};        ///< on it
-    glm::dvec3 normal{0, 0, 1}; ///< of any length; what lies on the side that it points to is gone
-    bool side_is_given = true;  ///< else the side of the eye is meant, if there is one
-    std::string name{};         ///< as it was written, for messages
+    glm::dvec3 point{0};        ///< a point on the plane
+    glm::dvec3 normal{0, 0, 1}; ///< of any length; the side that it points to is cut away
+    bool side_is_given = true;  ///< false: the side towards the eye is cut away, if there is an eye
+    std::string name{};         ///< the plane as the user wrote it, for messages
 };
 
-/// A plane as written: an axis and a position, "z=0.3" or "x=50%" (of `bounds`, from its least
-/// coordinate), or a point and a normal, "1,2,3/0,0,1". What is beyond is gone; "-z=0.3" leaves
-/// that and takes what is before. With "z=0.3" alone the side is not given. Throws UsageError.
+/// A plane from its text: an axis and a position, "z=0.3" or "x=50%" (a share of `bounds`, from its
+/// least coordinate), or a point and a normal, "1,2,3/0,0,1". "+z=0.3" cuts away larger
+/// coordinates, "-z=0.3" smaller ones. With "z=0.3" the side is not given. Throws UsageError.
 LINEATLAS_API SectionPlane parse_section(std::string_view text, const Bounds& bounds);
 
 /// How the faces of cuts are hatched (ISO 128-50).
 struct Hatching {
     double spacing = 0; ///< between lines, model units; 0: a fortieth of the model's diagonal
-    double angle = 45;  ///< degrees, of the first part; others are turned against each other
+    double angle = 45;  ///< degrees, for the first part; other parts have other angles
     bool none = false;  ///< faces stay blank
 };
 
 /// A mesh that was cut.
 struct Section {
-    /// What is left, with faces where it was cut, and polylines along their outlines and across
-    /// them. Positions of the uncut mesh keep their numbers.
+    /// The rest of the mesh, with faces where it was cut, and polylines along the outlines of these
+    /// faces and across them. Positions of the uncut mesh keep their numbers.
     Mesh mesh;
-    std::vector<std::string> notes; ///< where a cut does not close, a line each
+    std::vector<std::string> notes; ///< a line for each place where a cut does not close
 };
 
 /// The most planes that cut_mesh() takes.
 inline constexpr std::size_t most_sections = 6;
 
-/// Cuts a mesh, by one plane after the other. Each part is closed by a face of its own: objects of
-/// the mesh's groups if they have names, and what hangs together by edges. Where a part's cut does
-/// not close, it stays open, and a note says so. Throws UsageError for a plane that misses the
-/// model, no normal, more than `most_sections` planes, and hatching without end.
+/// Cuts a mesh by one plane after the other. Each part is closed by a face of its own. Parts are
+/// objects of the mesh's groups if they have names, and triangles that are connected by edges. If a
+/// part's cut does not close, the part stays open, and a note says so. Throws UsageError for a
+/// plane that misses the model, for a plane without a normal, for more than `most_sections` planes,
+/// and for too many hatching lines.
 LINEATLAS_API Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes,
                                const Hatching& hatching = {});
 

@@ -16,52 +16,52 @@
 #include "lineatlas/vector.hpp"
 
 /// @file
-/// Sheets: several views of one model on one page, as a workshop takes them. lay_out_sheet() says
-/// where each view stands and by which camera it is drawn, make_vector_sheet() draws them all, and
-/// to_svg() and to_dxf() write the sheet.
+/// Sheets: several views of one model on one page, as workshops expect them. lay_out_sheet() places
+/// the views and chooses their cameras, make_vector_sheet() draws the views, and to_svg() and
+/// to_dxf() write the sheet.
 
 namespace lineatlas {
 
 /// On which side of the front view the others stand (ISO 5456-2).
 enum class ProjectionAngle {
-    first, ///< beyond the model: what is seen from above stands below
-    third, ///< before it: what is seen from above stands above
+    first, ///< the view from above stands below the front
+    third, ///< the view from above stands above the front
 };
 
 /// "first" or "third".
 LINEATLAS_API std::string_view name_of(ProjectionAngle angle);
 
-/// The other way; throws UsageError with both names.
+/// The angle of that name; throws UsageError that lists both names.
 LINEATLAS_API ProjectionAngle parse_projection_angle(std::string_view name);
 
-/// What a title block says (ISO 7200), UTF-8; an empty field is left empty, to be filled by hand.
+/// The fields of a title block (ISO 7200), UTF-8. An empty field stays empty, to be filled by hand.
 struct SheetFields {
     std::string title{};    ///< of the drawing
     std::string file{};     ///< name of the model's file
-    std::string owner{};    ///< of the drawing in law
-    std::string number{};   ///< by which the owner knows the drawing
+    std::string owner{};    ///< legal owner of the drawing
+    std::string number{};   ///< the owner's number of the drawing
     std::string creator{};  ///< who drew it
     std::string approver{}; ///< who approved it
     std::string date{};     ///< of issue
 };
 
-/// Sets the field of that name, such as "title". Throws UsageError with all names.
+/// Sets the field of that name, such as "title". Throws UsageError that lists all names.
 LINEATLAS_API void set_field(SheetFields& fields, std::string_view name, std::string value);
 
-/// What is on a sheet.
+/// The contents and the layout of a sheet.
 struct SheetOptions {
     /// Sides to look from, as view_direction() takes them, each once. The six named sides are
-    /// aligned with the front; any other is a pictorial view, which shows no hidden lines and
-    /// stands where there is room.
+    /// aligned with the front; any other side is a pictorial view, which shows no hidden lines and
+    /// is placed where there is room.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
     ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
-    /// The sheet, A3 as it stands. What turns stands upright if it is at most as wide as A4, else
-    /// it lies on its side (ISO 5457).
+    /// The page, by default A3. A page with `turns` stands upright if it is at most as wide as A4,
+    /// otherwise it lies on its side (ISO 5457).
     Page page{.width = {297, Unit::mm}, .height = {420, Unit::mm}, .turns = true};
     /// One for all views, as in "1:2"; empty: the largest of ISO 5455 that fits.
     std::string scale{};
     double unit = 1;       ///< millimetres in a unit of the model, above 0
-    glm::vec3 up{0, 1, 0}; ///< the model's, a unit axis
+    glm::vec3 up{0, 1, 0}; ///< the upward axis of the model, a unit axis
     SheetFields fields{};  ///< of the title block
     /// Overall sizes as dimensions in millimetres, the model's axes beside each view, and a scale
     /// bar.
@@ -72,25 +72,25 @@ struct SheetOptions {
 /// view_direction() does not know, for one that is named twice, and for none.
 LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
 
-/// A view and where it stands.
+/// A view and its place on the sheet.
 struct SheetView {
     std::string name;       ///< the side, as "front"
     bool pictorial = false; ///< not aligned with others; without hidden lines
     Camera camera{};        ///< draws the view; orthographic
     double scale = 1;       ///< millimetres of paper in a pixel of the camera's picture
-    glm::dvec2 corner{0};   ///< millimetres: where the upper left corner of that picture lies
-    glm::dvec2 low{0};      ///< millimetres: upper left corner of the box around what is drawn
-    glm::dvec2 high{0};     ///< its lower right corner
+    glm::dvec2 corner{0};   ///< millimetres: upper left corner of that picture
+    glm::dvec2 low{0};      ///< millimetres: upper left corner of the box around the drawing
+    glm::dvec2 high{0};     ///< millimetres: lower right corner of that box
 };
 
-/// A line of the sheet's own, straight from point to point.
+/// A line of the sheet itself, straight from point to point.
 struct SheetLine {
     std::string layer;              ///< "frame", "title-block", "dimensions", "axes" or "scale-bar"
     double width = 0.25;            ///< millimetres
     std::vector<glm::dvec2> points; ///< millimetres; two at least
 };
 
-/// A circle of the sheet's own.
+/// A circle of the sheet itself.
 struct SheetCircle {
     std::string layer;    ///< as of lines
     double width = 0.25;  ///< millimetres
@@ -98,17 +98,17 @@ struct SheetCircle {
     double radius = 1;    ///< millimetres
 };
 
-/// Where a text stands beside its point.
+/// Which part of a text is at its point.
 enum class TextAnchor {
-    start,  ///< it starts there
-    middle, ///< its middle is there
-    end,    ///< it ends there
+    start,  ///< its start
+    middle, ///< its middle
+    end,    ///< its end
 };
 
-/// A text of the sheet's own, on one line.
+/// A text of the sheet itself, on one line.
 struct SheetText {
     std::string layer;                     ///< as of lines
-    glm::dvec2 at{0};                      ///< millimetres, on the line that letters stand on
+    glm::dvec2 at{0};                      ///< millimetres, a point on the baseline
     double height = 2.5;                   ///< of capital letters, millimetres
     std::string text;                      ///< UTF-8
     TextAnchor anchor = TextAnchor::start; ///< which part of it is at the point
@@ -128,22 +128,22 @@ struct SheetLayout {
     std::vector<SheetText> texts{};     ///< of frame and title block
 };
 
-/// Lays out a sheet for a model that these points span, such as LineSet::vertices. Throws
-/// UsageError where there are no points, for options that are out of range, for a page that has no
-/// room, and for a scale that does not fit, with one that does.
+/// Lays out a sheet for a model with these points, such as LineSet::vertices. Throws UsageError if
+/// there are no points, for options out of range, for a page without room for the views, and for a
+/// scale that does not fit; the message then names one that fits.
 LINEATLAS_API SheetLayout lay_out_sheet(std::span<const glm::vec3> points,
                                         const SheetOptions& options = {});
 
-/// What a camera sees of lines.
+/// The parts of lines that a camera sees.
 struct SeenLines {
     std::vector<Interval> intervals; ///< hidden ones, too
-    /// Of the same, as LineVisibility::outlines() gives them; only a style with pens for outlines
-    /// needs them.
+    /// Outlines of the same lines, as LineVisibility::outlines() returns them; only a style with
+    /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
 };
 
-/// Finds what `camera` sees of lines, hidden intervals too: what hides a line may bridge a gap in
-/// it. LineVisibility::find() does, and Renderer::read_intervals().
+/// Finds what `camera` sees of lines. Hidden intervals are needed too, because a style may close
+/// gaps in a line. LineVisibility::find() and Renderer::read_intervals() return such intervals.
 using FindLines = std::function<SeenLines(const Camera& camera)>;
 
 /// A sheet with its views drawn.

@@ -88,7 +88,8 @@ struct Focus {
     std::string mark{};       ///< the pen's mark far away; empty: the same
 };
 
-/// Which lines a PenRule is for: those that are all it names. What is empty asks for nothing.
+/// The lines that a PenRule is for: those that meet all its conditions. An empty member is no
+/// condition.
 struct PenMatch {
     /// Any of these: names of `line_kind_names`, or "outline": what of a visible line has the model
     /// on one side and the background on the other; lines of files and of cuts are none.
@@ -100,7 +101,7 @@ struct PenMatch {
     bool hidden = false;    ///< hidden lines (Style::hidden); else visible ones
 };
 
-/// A pen for some of the lines: what it names is so, the rest is as without it.
+/// A change of the pen of some lines: members that are set replace those of the pen.
 struct PenRule {
     PenMatch match{};                  ///< which lines it is for
     std::optional<std::string> mark{}; ///< Pen::mark
@@ -137,9 +138,9 @@ struct Style {
     /// Every rule that is for a line changes its pen, in this order: `pen`, and of hidden lines
     /// `hidden_pen`.
     std::vector<PenRule> pens{};
-    /// Shorter side, in pixels, of the picture that the lengths are for: in a larger one they are
-    /// longer in proportion, in a smaller one as they are; 1 to 65536. 0: they are pixels of every
-    /// picture.
+    /// Shorter side, in pixels, of the picture that the lengths are meant for, 1 to 65536. In a
+    /// larger picture lengths grow in proportion; in a smaller one they stay the same. 0: lengths
+    /// are pixels in every picture.
     float made_for = 0;
 };
 

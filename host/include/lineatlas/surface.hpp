@@ -15,14 +15,15 @@
 
 namespace lineatlas {
 
-/// Along one direction of a B-spline.
+/// Degree and knots of a B-spline in one direction.
 struct SplineDirection {
     std::uint32_t degree = 0;    ///< 1 to most_degree
-    std::vector<double> knots{}; ///< ascending, each as often as it counts: degree + 1 + poles
+    std::vector<double> knots{}; ///< ascending, repeated by multiplicity: degree + 1 + poles
+                                 ///< numbers
 
-    static constexpr std::uint32_t most_degree = 25; ///< what CAD programs write at most
+    static constexpr std::uint32_t most_degree = 25; ///< the highest degree that CAD programs write
 
-    /// How many poles it has.
+    /// The number of poles.
     std::uint32_t poles() const { return static_cast<std::uint32_t>(knots.size()) - degree - 1; }
 };
 
@@ -34,7 +35,7 @@ struct SurfaceCurve {
         ellipse, ///< point + cos(t) u + sin(t) v
         spline,  ///< a B-spline, rational where weights differ
     };
-    Kind kind = Kind::line;          ///< which of the members below say where it runs
+    Kind kind = Kind::line;          ///< which of the members below define the curve
     glm::dvec3 point{0};             ///< of a line or an ellipse
     glm::dvec3 u{0};                 ///< of a line or an ellipse
     glm::dvec3 v{0};                 ///< of an ellipse
@@ -50,14 +51,15 @@ struct SurfaceShape {
         extrusion,  ///< the curve at u, and v times the axis beyond
         spline,     ///< a net of poles, rational where weights differ
     };
-    Kind kind = Kind::revolution;    ///< which of the members below say where it lies
+    Kind kind = Kind::revolution;    ///< which of the members below define the surface
     glm::dvec3 point{0};             ///< of a revolution, on the axis
-    glm::dvec3 axis{0};              ///< of a revolution as long as 1
+    glm::dvec3 axis{0};              ///< direction of a revolution (a unit vector) or of an
+                                     ///< extrusion
     SurfaceCurve curve{};            ///< of a revolution or an extrusion
     SplineDirection along_u{};       ///< of a spline
     SplineDirection along_v{};       ///< of a spline
     std::vector<glm::dvec4> poles{}; ///< of a spline, as SurfaceCurve::poles, along v first
-    double offset = 0;               ///< so far off all of that, to where du x dv points
+    double offset = 0;               ///< distance of the surface from all of that, towards du x dv
 };
 
 /// The surface of a face.
@@ -65,20 +67,20 @@ struct PlacedSurface {
     std::uint32_t shape = 0;  ///< index into KnownSurfaces::shapes
     std::uint32_t entity = 0; ///< number of the face in the file, as #12 of STEP; 0: not known
     bool turned = false;      ///< du x dv points inwards
-    glm::dmat4x3 model_from_shape{glm::dmat4{1.0}}; ///< where it stands
+    glm::dmat4x3 model_from_shape{glm::dmat4{1.0}}; ///< the place of the shape in the model
 };
 
 /// The surfaces that curved triangles approximate, as a file of exact geometry has them.
 struct KnownSurfaces {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< of a triangle that has none
 
-    std::vector<SurfaceShape> shapes;       ///< each once, however many faces have it
+    std::vector<SurfaceShape> shapes;       ///< each once, even if several faces have it
     std::vector<PlacedSurface> surfaces;    ///< of faces
     std::vector<std::uint32_t> of_triangle; ///< index into `surfaces` or `none`; or empty
     /// Per triangle u and v of its three corners; zero where it has no surface.
     std::vector<std::array<glm::dvec2, 3>> parameters;
 
-    /// Adds what belongs to one more triangle.
+    /// Adds the surface and the parameters of one more triangle.
     void add_triangle(std::uint32_t surface, const std::array<glm::dvec2, 3>& corners) {
         of_triangle.push_back(surface);
         parameters.push_back(corners);
@@ -86,8 +88,8 @@ struct KnownSurfaces {
     bool empty() const { return of_triangle.empty(); } ///< no triangle has one
 };
 
-/// Whether what is known fits itself and a mesh of so many triangles: numbers are in range, tables
-/// of splines fit each other, knots ascend, weights are above 0, and all is finite.
+/// True if `known` is consistent and fits a mesh of so many triangles: indices are in range, tables
+/// of splines fit each other, knots ascend, weights are above 0, and all numbers are finite.
 LINEATLAS_API bool is_sound(const KnownSurfaces& known, std::size_t triangles);
 
 } // namespace lineatlas

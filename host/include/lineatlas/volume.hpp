@@ -10,14 +10,14 @@
 
 namespace lineatlas {
 
-/// The volume that triangles enclose, in cubes of the unit of `positions`; negative where they are
-/// turned inside out. Nothing unless they are closed and turned alike: along every edge, by the
-/// places of its ends, as many triangles go one way as the other. Bodies that overlap count
-/// each. Throws UsageError for an index that is out of range.
+/// The volume that triangles enclose, in cubes of the unit of `positions`; negative if they are
+/// turned inside out. Nothing unless the triangles are closed and turned alike: along every edge,
+/// told by the positions of its ends, as many triangles go one way as the other. If bodies overlap,
+/// each counts as a whole. Throws UsageError for an index out of range.
 LINEATLAS_API std::optional<double> enclosed_volume(std::span<const glm::vec3> positions,
                                                     std::span<const glm::uvec3> triangles);
 
-/// The same of all triangles of a mesh.
+/// The volume that all triangles of a mesh enclose.
 LINEATLAS_API std::optional<double> enclosed_volume(const Mesh& mesh);
 
 } // namespace lineatlas

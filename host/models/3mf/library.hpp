@@ -10,7 +10,7 @@ namespace lineatlas::threemf {
 struct Release {
     void operator()(NMR::PLib3MFBase* instance) const { NMR::lib3mf_release(instance); }
 };
-/// What lib3mf hands out: pointers without types, each to be given back.
+/// An object of lib3mf: a pointer without a type, which must be given back.
 using Handle = std::unique_ptr<NMR::PLib3MFBase, Release>;
 
 /// Refuses in lib3mf's own words if a call on `instance` failed.

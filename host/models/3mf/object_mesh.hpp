@@ -12,7 +12,7 @@
 
 namespace lineatlas::threemf {
 
-/// What a triangle is made of.
+/// The material of a triangle.
 struct Material {
     std::string name;
     std::optional<glm::vec3> color;

@@ -10,7 +10,7 @@
 
 namespace lineatlas::brep {
 
-/// What the file calls shapes, which are without a location.
+/// The file's names of shapes, without their locations.
 using ShapeNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
 
 /// Files of surfaces (IGES) have faces that share no edges: each is trimmed by curves of its own.

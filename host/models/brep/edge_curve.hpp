@@ -8,7 +8,7 @@
 
 namespace lineatlas::brep {
 
-/// The circle or ellipse that an edge is a part of; nothing where it is none.
+/// The circle or ellipse that an edge is a part of; nothing for other edges.
 std::optional<EdgeCurve> curve_of(const TopoDS_Edge& edge);
 
 } // namespace lineatlas::brep

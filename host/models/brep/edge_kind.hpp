@@ -9,9 +9,9 @@
 
 namespace lineatlas::brep {
 
-/// What an edge is between the faces that have it. Nothing where it is a point: the tip of a cone
-/// has such an edge. An edge is smooth where the normals on its two sides differ by less than a
-/// degree at five places.
+/// The kind of an edge between its faces. Nothing if the edge is a point, as at the tip of a cone.
+/// An edge is smooth where the normals on its two sides differ by less than a degree at five
+/// places.
 std::optional<KnownEdge::Kind> kind_of(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces);
 
 } // namespace lineatlas::brep

@@ -7,9 +7,10 @@
 
 namespace lineatlas::brep {
 
-/// Bytes in memory as what Open CASCADE reads when it is given a file without a name: C's stdin.
-/// Its reader of IGES knows no streams, and a confined process opens no files. For as long as this
-/// lives, stdin is these bytes for the whole process, so that only one may live at a time.
+/// Makes bytes in memory the contents of C's stdin, which Open CASCADE reads if it gets a file
+/// without a name. Its reader of IGES knows no streams, and a confined process opens no files. For
+/// as long as this lives, stdin is these bytes for the whole process, so that only one may live at
+/// a time.
 class FileWithoutName {
   public:
     static constexpr const char* name = "";

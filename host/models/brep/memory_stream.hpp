@@ -6,7 +6,7 @@
 
 namespace lineatlas::brep {
 
-/// What Open CASCADE reads: bytes that are in memory already, without a copy of them.
+/// A stream for Open CASCADE over bytes that are already in memory, without a copy.
 class MemoryBuffer : public std::streambuf {
   public:
     explicit MemoryBuffer(std::string_view bytes) {

@@ -8,8 +8,8 @@
 
 namespace lineatlas::brep {
 
-/// The unit normal of a surface, the way its parameters turn; nothing where it has none, as at the
-/// tip of a cone, or where its parameters meet, as at the pole of a sphere.
+/// The unit normal of a surface, in the direction given by its parameters. Nothing if there is
+/// none, as at the tip of a cone, or where parameters meet, as at the pole of a sphere.
 std::optional<gp_Vec> normal_of(const Geom_Surface& surface, const gp_Pnt2d& at);
 
 /// The same where parameters meet in one point, as at a pole or a tip, on the side of `towards`,

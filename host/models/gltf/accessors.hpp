@@ -10,7 +10,7 @@
 
 namespace lineatlas::gltf {
 
-/// What an accessor holds, one element after another: floats, or whole numbers as
+/// The elements of an accessor, one after another: floats, or whole numbers as
 /// KHR_mesh_quantization has them. Sparse values are in their places.
 struct Values {
     std::uint64_t width; ///< components of an element

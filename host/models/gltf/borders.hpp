@@ -6,10 +6,11 @@
 
 namespace lineatlas::gltf {
 
-/// Where primitives of a mesh abut, takes a corner of the later one to that of the earlier one that
-/// their rounding has parted: each may lie on a grid of its own (Draco, quantised accessors).
-/// Corners on borders alone are moved, by no more than half a step of both grids in each direction,
-/// and two corners of a primitive never to one place. What lies on no grid stays.
+/// Closes gaps that rounding has made between abutting primitives of a mesh, each of which may lie
+/// on a grid of its own (Draco, quantised accessors): moves a corner of the later primitive to the
+/// corner of the earlier one. Only corners on borders are moved, by no more than half a step of
+/// both grids in each direction, and two corners of a primitive never to one place. Primitives that
+/// lie on no grid do not change.
 void join_borders(std::vector<Primitive>& primitives);
 
 } // namespace lineatlas::gltf

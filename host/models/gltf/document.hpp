@@ -10,7 +10,7 @@ namespace lineatlas::gltf {
 
 using Json = nlohmann::json;
 
-/// What a file consists of: text in JSON, and the bytes that follow it in a GLB file.
+/// The contents of a file: text in JSON, and the bytes that follow it in a GLB file.
 struct Document {
     Json json;
     std::string_view binary; ///< lies in the file's own bytes

@@ -16,8 +16,8 @@ struct DracoMesh {
     double step = 0; ///< of the grid that positions lie on; 0: on none
 };
 
-/// What KHR_draco_mesh_compression holds. `position`: the number of its attribute that positions
-/// are. `of`: for what is refused.
+/// A mesh from KHR_draco_mesh_compression. `position`: the number of the attribute with the
+/// positions. `of`: names the mesh in refusals.
 DracoMesh decode_draco(std::string_view packed, std::uint64_t position, const std::string& of);
 
 } // namespace lineatlas::gltf

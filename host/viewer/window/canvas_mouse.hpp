@@ -11,8 +11,8 @@
 
 namespace lineatlas::viewer {
 
-/// What the mouse and the keys for flying do to the camera, the split screen's slider and the
-/// handles of cuts. Places are in points of the window.
+/// Moves the camera, the split screen's slider and the handles of cuts by the mouse and the keys
+/// for flying. Places are in points of the window.
 class CanvasMouse {
   public:
     explicit CanvasMouse(Session& session) : session_(session) {}

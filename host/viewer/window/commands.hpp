@@ -7,7 +7,7 @@
 
 namespace lineatlas::viewer {
 
-/// What a person can have done by a key, or by its name in the palette.
+/// A command that the user gives by a key, or by its name in the palette.
 struct Command {
     const char* name;      ///< as it is read and searched
     int key = 0, mods = 0; ///< of GLFW; key 0: none

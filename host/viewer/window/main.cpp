@@ -36,7 +36,7 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
     app.add_option("--camera", a.camera, "A camera to begin with: JSON, as the viewer saves it");
     app.add_option("--up", a.up,
-                   "Upward axis of the model: x, y, z or X,Y,Z; auto looks how it stands");
+                   "Upward axis of the model: x, y, z or X,Y,Z; auto guesses from its shape");
     app.add_option("--size", a.size, "Size of the window")->capture_default_str();
     declare_device(app, a.options.device);
     app.add_option("--ui-scale", a.options.scale,

@@ -12,7 +12,8 @@ struct GLFWwindow;
 
 namespace lineatlas::viewer {
 
-/// Who hears what a person does. Places are in points of the window, from its upper left corner.
+/// The receiver of the user's events. Places are in points of the window, from its upper left
+/// corner.
 class InputListener {
   public:
     virtual ~InputListener() = default;

@@ -26,7 +26,7 @@ STYLES = [("plain", "Plain", "Even black lines")] + [
 class LineatlasSettings(bpy.types.PropertyGroup):
     kinds: EnumProperty(name="Lines", items=KIND_ITEMS, options={"ENUM_FLAG"}, default={name for name, _, _ in KINDS})
     by_angle: BoolProperty(name="Crease Angle", default=False,
-                           description="Edges bent by more than this are creases; else by more than 30 degrees, but for noise")
+                           description="Edges bent by more than this are creases; else by more than 28.8 degrees, except noise")
     crease: FloatProperty(name="Angle", subtype="ANGLE", default=0.5235988, min=0, max=3.1415926,
                           description="By how much an edge must be bent")
     style: EnumProperty(name="Style", items=STYLES, default="plain")
