@@ -55,7 +55,7 @@ XmlElement& add_group(XmlElement& parent, const LineGroup& lines, const Sheet& s
     XmlElement& group = parent.add("g");
     group.set("id", name);
     group.set("class",
-              kind + (lines.visible ? " visible" : " hidden") + (lines.thinned ? " thinned" : ""));
+              kind + (lines.thinned ? " thinned" : "") + (lines.visible ? " visible" : " hidden"));
     if (how.layers) {
         const std::string label = lines.visible ? name : how.prefix + kind + " (hidden)";
         mark_layer(group, !lines.visible && lines.thinned ? label + " (thinned)" : label);

@@ -33,6 +33,8 @@ class DrawingFileTest : public testing::Test {
         VectorPath closed = path({{10.25, 20}, {310.5, 20}, {310.5, 200.75}, {10.25, 20}});
         closed.closed = true;
         drawing_.paths = {path({{1, 1}, {600, 400}}, false), closed, path({{5, 5}, {5.5, 470}})};
+        // What is left out where lines are dense is there; what is hidden is hidden.
+        drawing_.paths.front().thinned = drawing_.paths.back().thinned = true;
     }
 
     DrawingFile through(const std::string& name, const std::string& text) const {

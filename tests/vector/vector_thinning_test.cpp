@@ -154,7 +154,7 @@ TEST(Thinning, HasLayersThatAreNotShown) {
         return svg.document_element().find_child_by_attribute("g", "id", id);
     };
     EXPECT_STREQ(group("crease-thinned").attribute("style").value(), "display:none");
-    EXPECT_STREQ(group("crease-thinned").attribute("class").value(), "crease visible thinned");
+    EXPECT_STREQ(group("crease-thinned").attribute("class").value(), "crease thinned visible");
     ASSERT_TRUE(group("crease"));
     EXPECT_FALSE(group("crease").attribute("style"));
 
