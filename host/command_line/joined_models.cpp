@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
+#include "io/model_types.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/lines.hpp"
 
@@ -94,9 +98,7 @@ class Joining {
         LoadedMesh& loaded = model.loaded;
         for (const std::string& note : loaded.notes)
             result_.notes.push_back(model.name + ": " + note);
-        if (loaded.up && *loaded.up != *result_.up)
-            result_.notes.push_back(model.name +
-                                    " has another upward axis; it stays as its file has it");
+        if (loaded.up && *loaded.up != *result_.up) stand_upright(model, *result_.up);
         if (knows_edges_ && loaded.mesh.known_edges.empty()) add_known_edges(loaded.mesh);
         plant(loaded, model.name);
         add_positions(model);
@@ -128,6 +130,26 @@ class Joining {
     LoadedMesh take() { return std::move(result_); }
 
   private:
+    /// Turns what stands on another axis, by a quarter, so that its front stays in front.
+    void stand_upright(NamedModel& model, glm::vec3 up) {
+        LoadedMesh& loaded = model.loaded;
+        const glm::dvec3 from = *loaded.up, to = up, side = glm::cross(from, to);
+        if (glm::dot(from, to) != 0)
+            return result_.notes.push_back(model.name +
+                                           " stands upside down; it stays as its file has it");
+        const glm::dmat3 turn = glm::outerProduct(to, from) - glm::outerProduct(from, to) +
+                                glm::outerProduct(side, side);
+        const auto turned = [&](auto& v) { v = turn * glm::dvec3{v}; };
+        std::ranges::for_each(loaded.mesh.positions, turned);
+        std::ranges::for_each(loaded.mesh.corner_normals, turned);
+        turned(loaded.origin);
+        for (PlacedSurface& surface : loaded.mesh.surfaces.surfaces)
+            surface.model_from_shape = turn * surface.model_from_shape;
+        for (std::optional<EdgeCurve>& curve : loaded.mesh.edge_curves)
+            if (curve) curve = EdgeCurve{turn * curve->center, turn * curve->u, turn * curve->v};
+        result_.notes.push_back(model.name + " has another upward axis; it is turned upright");
+    }
+
     double scale_of(const LoadedMesh& loaded) const {
         return loaded.unit && result_.unit ? *loaded.unit / *result_.unit : 1;
     }
@@ -245,6 +267,21 @@ class Joining {
     std::uint32_t objects_ = 0, shapes_ = 0, edges_ = 0; ///< so many have a number
 };
 
+/// What its file says, or else what is usual for its type.
+glm::vec3 up_of(const LoadedMesh& loaded, const std::filesystem::path& file) {
+    const bool z = usual_up(file) == UsualUp::z;
+    return loaded.up.value_or(z ? glm::vec3{0, 0, 1} : glm::vec3{0, 1, 0});
+}
+
+/// Where files disagree about what is upwards: an axis is guessed for all of them else.
+void say_up(std::vector<NamedModel>& models, std::span<const std::filesystem::path> files) {
+    std::vector<glm::vec3> axes;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        axes.push_back(up_of(models[i].loaded, files[i]));
+    if (std::ranges::adjacent_find(axes, std::not_equal_to{}) == axes.end()) return;
+    for (std::size_t i = 0; i < files.size(); ++i) models[i].loaded.up = axes[i];
+}
+
 /// The file's name, with a number where others have it.
 std::string name_among(std::set<std::string>& names, const std::filesystem::path& file) {
     const std::string usual = file.filename().string();
@@ -269,6 +306,7 @@ LoadedMesh load_models_isolated(std::span<const std::filesystem::path> files,
     std::vector<NamedModel> models;
     for (const std::filesystem::path& file : files)
         models.push_back({name_among(names, file), load_mesh_isolated(file, limits, options)});
+    say_up(models, files);
     return join_models(std::move(models));
 }
 

@@ -45,12 +45,19 @@ std::vector<FileEntry> list_folder(const fs::path& folder) {
 RecentFiles::RecentFiles(fs::path store) : store_(std::move(store)) {
     std::ifstream file{store_};
     for (std::string line; all_.size() < most_recent && std::getline(file, line);)
-        if (!line.empty()) all_.emplace_back(line);
+        if (!line.empty() && std::ranges::find(all_, fs::path{line}) == all_.end())
+            all_.emplace_back(line);
+    forget_lost();
+}
+
+void RecentFiles::forget_lost() {
+    std::error_code failure;
+    std::erase_if(all_, [&](const fs::path& file) { return !fs::exists(file, failure); });
 }
 
 void RecentFiles::add(const fs::path& file) {
     std::error_code failure;
-    fs::path whole = fs::absolute(file, failure);
+    fs::path whole = fs::weakly_canonical(file, failure); // by one name, however it was given
     if (failure || whole.string().find('\n') != std::string::npos) return;
     std::erase(all_, whole);
     all_.insert(all_.begin(), std::move(whole));

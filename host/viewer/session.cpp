@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -253,6 +254,17 @@ void Session::glide_to(StandardView view) {
     const View& now = navigation.view();
     navigation.glide_to(frame_points_from({direction_to(view, up_axis), up_axis}, model_->framed,
                                           glm::max(size_, 1), now.fov_y, now.projection));
+}
+
+void Session::look_from(glm::vec3 direction) {
+    if (model_ == nullptr) return;
+    const glm::vec3 up_axis = *model_->source.up;
+    const float above = glm::dot(direction, up_axis);
+    if (std::abs(above) > 0.999F)
+        return glide_to(above > 0 ? StandardView::top : StandardView::bottom);
+    const View& now = navigation.view();
+    navigation.glide_to(frame_points_from({direction, up_axis}, model_->framed, glm::max(size_, 1),
+                                          now.fov_y, now.projection));
 }
 
 void Session::toggle_projection() {

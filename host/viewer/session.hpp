@@ -106,8 +106,9 @@ class Session {
     std::string device_description() const; ///< with a line of what is not as one may expect
 
     void glide_to(StandardView view);
-    void toggle_projection(); ///< perspective or orthographic
-    void fit();               ///< all of the model, from where the eye looks
+    void look_from(glm::vec3 direction); ///< a unit vector from the model to the eye
+    void toggle_projection();            ///< perspective or orthographic
+    void fit();                          ///< all of the model, from where the eye looks
     /// What is seen at a point of the canvas, or else the model's centre.
     glm::dvec3 point_at(glm::dvec2 point) const;
     Camera camera() const; ///< there must be a model

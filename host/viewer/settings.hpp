@@ -25,7 +25,7 @@ struct MethodLabel {
     Method method;
     const char* label; ///< for people
 };
-inline constexpr std::array<MethodLabel, 5> method_labels{{{Method::atlas, "Segment atlas"},
+inline constexpr std::array<MethodLabel, 5> method_labels{{{Method::atlas, "Quick"},
                                                            {Method::exact, "Exact"},
                                                            {Method::spine, "Spine test"},
                                                            {Method::item_buffer, "Item buffer"},

@@ -89,6 +89,21 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     EXPECT_EQ(session().model()->shown.parts.hidden.size(), 1U);
 }
 
+TEST_F(ViewerFiles, StandUprightSideBySide) {
+    // A post as high as 6 along z, which is upwards in STL, beside a box of OBJ, where y is.
+    std::ofstream{path("post.stl")} << "solid post\n"
+                                       "facet normal 0 0 0\nouter loop\nvertex 4 0 0\n"
+                                       "vertex 5 0 0\nvertex 4 0 6\nendloop\nendfacet\n"
+                                       "facet normal 0 0 0\nouter loop\nvertex 4 0 0\n"
+                                       "vertex 4 1 0\nvertex 4 0 6\nendloop\nendfacet\n"
+                                       "endsolid post\n";
+    drop({"left.obj", "post.stl"});
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(session().model()->source.up, glm::vec3(0, 1, 0));
+    EXPECT_EQ(session().whole_bounds().max, glm::vec3(5, 6, 1)) << "its z is up";
+    hand_.screenshot("upright");
+}
+
 TEST_F(ViewerFiles, OneThatIsBrokenIsNamedAndNoneIsTaken) {
     std::ofstream{path("broken.stl")} << "solid";
     drop({"left.obj", "broken.stl"});
@@ -127,6 +142,26 @@ TEST(JoinedModels, AreWhereTheirOwnOriginsAndUnitsPlaceThem) {
     EXPECT_EQ(joined.notes[0], "b: odd");
     EXPECT_NE(joined.notes[1].find("1000"), std::string::npos) << joined.notes[1];
     EXPECT_EQ(joined.mesh.triangles[2], glm::uvec3(4, 5, 6));
+}
+
+TEST(JoinedModels, StandUpright) {
+    LoadedMesh first = folded(false), second = folded(true);
+    first.up = {0, 1, 0};
+    second.up = {0, 0, 1};
+    second.origin = {0, 0, 5};
+    second.mesh.edge_curves.resize(4);
+    second.mesh.edge_curves[1] = EdgeCurve{.center = {1, 2, 3}, .u = {0, 0, 1}, .v = {0, 1, 0}};
+    const LoadedMesh joined = join_models({{"a", first}, {"b", second}});
+    EXPECT_EQ(joined.up, glm::vec3(0, 1, 0));
+    EXPECT_EQ(joined.mesh.positions[2], glm::vec3(1, 1, 1)) << "the first stays";
+    EXPECT_EQ(joined.mesh.positions[6], glm::vec3(1, 6, -1)) << "up is up, the front is in front";
+    const auto curve =
+        std::ranges::find_if(joined.mesh.edge_curves, [](const auto& c) { return c.has_value(); });
+    ASSERT_NE(curve, joined.mesh.edge_curves.end());
+    EXPECT_EQ((*curve)->center, glm::dvec3(1, 8, -2));
+    EXPECT_EQ((*curve)->u, glm::dvec3(0, 1, 0));
+    ASSERT_EQ(joined.notes.size(), 1U);
+    EXPECT_NE(joined.notes[0].find("upright"), std::string::npos);
 }
 
 TEST(JoinedModels, KeepTheLinesThatEachHasAlone) {

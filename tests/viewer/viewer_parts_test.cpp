@@ -277,7 +277,12 @@ TEST_F(ViewerParts, FilesAreOpenedFromAPanelAndRemembered) {
     hand_.screenshot("open");
     hand_.click("recent:nut.obj");
     EXPECT_EQ(session().model()->source.name(), "nut.obj");
+    hand_.drop(path("deeper/../m.obj"));
+    EXPECT_EQ(session().recent.all().size(), 2U) << "the same file by another name";
+    std::filesystem::remove(path("deeper/nut.obj"));
     hand_.key(GLFW_KEY_O, GLFW_MOD_CONTROL);
+    EXPECT_TRUE(hand_.has("recent:m.obj"));
+    EXPECT_FALSE(hand_.has("recent:nut.obj")) << "it is not there any more";
     hand_.key(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(hand_.has("open.close"));
     EXPECT_EQ(error(), "");

@@ -271,7 +271,7 @@ TEST_F(ViewerSession, ThePictureIsExactAtRestAlone) {
     hand_.open_scene("house");
     hand_.choose("method", "Exact");
     const auto exact = picture();
-    hand_.choose("method", "Segment atlas");
+    hand_.choose("method", "Quick");
     const auto sampled = picture();
     ASSERT_NE(sampled, exact);
     hand_.click("exact-at-rest");

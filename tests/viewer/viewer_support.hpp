@@ -37,6 +37,7 @@ class Viewer : public testing::Test {
     explicit Viewer(float scale = 1)
         : app_{{.size = {1280, 800}, .scale = scale, .scripted = true}, writer_} {
         app_.ui().folder = folder_.path().string();
+        app_.ui().folded.clear();                 // methods and devices are in sight
         session().settings.exact_at_rest = false; // pictures are those of the method that is chosen
         hand_.open_scene("clevis");
         EXPECT_TRUE(session().messages.all().empty());

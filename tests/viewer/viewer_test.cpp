@@ -214,6 +214,7 @@ TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
 TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
     hand_.click("split");
     hand_.choose("second", "Exact");
+    hand_.move({484, 20}); // nothing says what it does
     const Image whole = hand_.screenshot("split_whole");
     for (int i = 0; i < 3; ++i) session().note_duration(1);
     session().navigation.orbit({0, 0, 0}, {1e-4, 0});

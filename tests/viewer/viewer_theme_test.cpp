@@ -64,7 +64,7 @@ TEST_F(ViewerTheme, TextsOverThePictureCanBeReadOnAnyPaper) {
             session().changed();
             hand_.rest();
             const Image image = app_.screenshot();
-            const viewer::Area area = *app_.ui().spots.find("status:Segment atlas");
+            const viewer::Area area = *app_.ui().spots.find("status:Quick");
             double low = 1, high = 0;
             for (float y = area.low.y; y < area.low.y + area.size.y; ++y)
                 for (float x = area.low.x; x < area.low.x + area.size.x; ++x) {

@@ -31,18 +31,18 @@ void use(Ui& ui, const DeviceOptions& device) {
 
 } // namespace
 
-void draw_device_section(Ui& ui) {
+void draw_device_rows(Ui& ui) {
     if (ui.devices.empty()) ui.devices = find_devices();
-    if (!section(ui, "device", "Device")) return;
     const DeviceOptions& device = ui.session.device();
     const auto chosen = std::ranges::find_if(
         ui.devices, [&](const DeviceChoice& choice) { return same(choice.options, device); });
     const std::string shown = chosen != ui.devices.end() ? chosen->label : device.device;
     choice(
-        ui, "device", "Compute", shown, ui.devices,
+        ui, "device", "Runs on", shown, ui.devices,
         [](const DeviceChoice& item) { return item.label; },
         [&](const DeviceChoice& item) { return same(item.options, device); },
-        [&](const DeviceChoice& item) { use(ui, item.options); });
+        [&](const DeviceChoice& item) { use(ui, item.options); },
+        "Which processor finds the lines; automatic: the fastest one that works");
     std::vector<std::string> modes{""};
     for (const interop::SharingMode mode : interop::all_modes) modes.emplace_back(name_of(mode));
     const auto label_of = [](const std::string& mode) { return mode.empty() ? best_mode : mode; };
@@ -53,7 +53,8 @@ void draw_device_section(Ui& ui) {
             DeviceOptions wanted = device;
             wanted.interop = mode;
             use(ui, wanted);
-        });
+        },
+        "How that processor passes what it finds to the graphics card");
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("%s", ui.session.device_description().c_str());
     ImGui::PopTextWrapPos();

@@ -63,7 +63,7 @@ void purpose_row(Ui& ui) {
             options = suited_to(choice.purpose, options);
             take_extension(ui);
         }
-        tip(choice.what);
+        tip(ui, choice.what);
     }
 }
 
@@ -85,7 +85,7 @@ void format_row(Ui& ui) {
             take_extension(ui);
         }
         ImGui::EndDisabled();
-        tip(what.at(i));
+        tip(ui, what.at(i));
     }
 }
 
@@ -93,12 +93,12 @@ void view_rows(Ui& ui) {
     ExportOptions& options = ui.exporting.options;
     label(ui, "What");
     if (toggle(ui, "export.one", "This view", !options.sheet)) options.sheet = false;
-    tip("What is seen; at a scale all of the model, from where one looks");
+    tip(ui, "What is seen; at a scale all of the model, from where one looks");
     ImGui::SameLine(0, ui.points(4));
     ImGui::BeginDisabled(options.format == FileFormat::json);
     if (toggle(ui, "export.sheet", "Sheet of views", options.sheet)) options.sheet = true;
     ImGui::EndDisabled();
-    tip("Aligned views with a frame and a title block");
+    tip(ui, "Aligned views with a frame and a title block");
     if (!options.sheet) return;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         if (i % 4 == 0)
@@ -108,7 +108,10 @@ void view_rows(Ui& ui) {
         const std::string side = sides.at(i);
         const auto at = std::ranges::find(options.views, side);
         const bool on = at != options.views.end();
-        if (!toggle(ui, ("export.side." + side).c_str(), name_of_page(side).c_str(), on)) continue;
+        const bool pressed =
+            toggle(ui, ("export.side." + side).c_str(), name_of_page(side).c_str(), on);
+        tip(ui, "Whether the sheet has this side");
+        if (!pressed) continue;
         if (!on)
             options.views.push_back(side);
         else if (options.views.size() > 1)
@@ -116,7 +119,7 @@ void view_rows(Ui& ui) {
     }
     label(ui, "");
     checkbox(ui, "export.measures", "Sizes, axes, scale bar", options.measures);
-    tip("Overall sizes as dimensions, the model's axes beside each view, and a scale bar");
+    tip(ui, "Overall sizes as dimensions, the model's axes beside each view, and a scale bar");
 }
 
 void paper_rows(Ui& ui) {
@@ -125,17 +128,18 @@ void paper_rows(Ui& ui) {
         ui, "export.page", "Paper", name_of_page(options.page), pages,
         [](const char* page) { return name_of_page(page); },
         [&](const char* page) { return page == options.page; },
-        [&](const char* page) { options.page = page; });
+        [&](const char* page) { options.page = page; }, "The page; it lies as the drawing does");
     const auto name_of_scale = [](const std::string& scale) {
         return scale.empty() ? "as large as fits" : scale;
     };
     choice(
         ui, "export.scale", "Scale", name_of_scale(options.scale), scales, name_of_scale,
         [&](const char* scale) { return scale == options.scale; },
-        [&](const char* scale) { options.scale = scale; });
+        [&](const char* scale) { options.scale = scale; },
+        "What a millimetre of the model is on paper");
     if (options.sheet) return; // it has a frame
-    slider(ui, "export.margin", "Margin", options.margin, 0.0F, 50.0F, "%.0f mm");
-    tip("Space around the drawing");
+    slider(ui, "export.margin", "Margin", options.margin, 0.0F, 50.0F, "%.0f mm",
+           "Space around the drawing");
 }
 
 void pixels_row(Ui& ui) {
@@ -148,15 +152,16 @@ void pixels_row(Ui& ui) {
     choice(
         ui, "export.pixels", "Pixels", name(options.pixels), factors, name,
         [&](int factor) { return factor == options.pixels; },
-        [&](int factor) { options.pixels = factor; });
+        [&](int factor) { options.pixels = factor; }, "Size of the picture");
 }
 
 /// Returns whether Enter was pressed there.
-bool field(Ui& ui, const char* id, const char* text, std::string& value) {
+bool field(Ui& ui, const char* id, const char* text, std::string& value, const char* help) {
     label(ui, text);
     const bool entered = ImGui::InputText((std::string{"##"} + id).c_str(), &value,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
     ui.spots.note(id);
+    tip(ui, help);
     return entered;
 }
 
@@ -183,8 +188,8 @@ bool settings(Ui& ui) {
         paper_rows(ui);
     else if (options.format == FileFormat::png)
         pixels_row(ui);
-    const bool named = field(ui, "export.name", "Name", ui.exporting.name);
-    return field(ui, "export.folder", "Folder", ui.folder) || named;
+    const bool named = field(ui, "export.name", "Name", ui.exporting.name, "Of the file");
+    return field(ui, "export.folder", "Folder", ui.folder, "Where files are saved") || named;
 }
 
 /// Where the page is drawn, and how large a millimetre of it is.
@@ -291,9 +296,10 @@ void draw_export_panel(Ui& ui) {
     ImGui::BeginDisabled(!possible);
     wanted |= toggle(ui, "export.save", replaces ? "Replace the file" : "Save", true);
     ImGui::EndDisabled();
-    tip(replaces ? "A file of that name is there" : path_of(ui).c_str());
+    tip(ui, replaces ? "A file of that name is there" : path_of(ui).c_str());
     ImGui::SameLine(0, ui.points(8));
     if (button(ui, "export.close", "Cancel")) ui.panel = Panel::none;
+    tip(ui, "Esc");
     ImGui::End();
     if (wanted && possible) save(ui);
 }

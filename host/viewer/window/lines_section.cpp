@@ -16,6 +16,18 @@ constexpr std::array<const char*, line_kind_names.size()> labels{
     "Creases",       "Boundaries", "Materials", "Silhouettes", "Lines of the file",
     "Intersections", "Sections",   "Hatching",  "Ridges",      "Valleys"};
 
+constexpr std::array<const char*, line_kind_names.size()> what{
+    "Edges where faces bend",
+    "Edges with a face on one side alone",
+    "Edges between two materials",
+    "Where the surface turns away from the eye",
+    "Lines that the file has",
+    "Where parts go through each other",
+    "Borders of cuts",
+    "Lines on the faces of cuts",
+    "Where scans and sculptures bulge most",
+    "Where scans and sculptures are hollow most"};
+
 /// Width and colour of a kind.
 bool pen_row(Ui& ui, std::string_view kind) {
     Style& style = ui.session.settings.style;
@@ -27,9 +39,9 @@ bool pen_row(Ui& ui, std::string_view kind) {
     const float swatch_and_gap = ui.points(32);
     const float room = (ImGui::GetContentRegionAvail().x - swatch_and_gap) / ui.scale;
     const bool wider = slider_with_number(ui, id + ".width", width, 0.3F, 12.0F, "%.1f", room, 32);
-    tip("Width in pixels");
+    tip(ui, "Width in pixels");
     ImGui::SameLine(0, ui.points(8));
-    const bool other = swatch(ui, (id + ".color").c_str(), color);
+    const bool other = swatch(ui, (id + ".color").c_str(), color, "Colour");
     if (wider) set_width_of_kind(style, kind, width);
     if (other) set_color_of_kind(style, kind, color);
     return wider || other;
@@ -38,9 +50,9 @@ bool pen_row(Ui& ui, std::string_view kind) {
 void crease_row(Ui& ui) {
     const std::optional<float> now = ui.session.settings.shown.crease;
     float degrees = now.value_or(0);
-    if (slider(ui, "crease", "Creases from", degrees, 0.0F, 120.0F, now ? "%.0f°" : "auto"))
+    if (slider(ui, "crease", "Creases from", degrees, 0.0F, 120.0F, now ? "%.0f°" : "auto",
+               "Every edge bent by more is a crease; at the left end noise and seams are left out"))
         ui.session.set_crease(degrees > 0 ? std::optional{std::round(degrees)} : std::nullopt);
-    tip("Every edge bent by more is a crease; at the left end noise and seams are left out");
 }
 
 void silhouettes_row(Ui& ui) {
@@ -63,7 +75,7 @@ void silhouettes_row(Ui& ui) {
         const std::string id = "silhouettes." + word_of(choice.silhouettes);
         if (toggle(ui, id.c_str(), choice.label, now == choice.silhouettes))
             ui.session.set_silhouettes(choice.silhouettes);
-        tip(choice.what);
+        tip(ui, choice.what);
     }
 }
 
@@ -80,12 +92,14 @@ void draw_lines_section(Ui& ui) {
             lines ^= 1U << kind;
             changed = true;
         }
+        tip(ui, what.at(kind));
         changed |= pen_row(ui, line_kind_names.at(kind));
         if (kind == static_cast<std::size_t>(LineKind::silhouette)) silhouettes_row(ui);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Outline");
-    tip("What has the model on one side and the background on the other");
+    ui.spots.note("lines.outline");
+    tip(ui, "What has the model on one side and the background on the other");
     changed |= pen_row(ui, outline_name);
     if (changed) ui.session.changed();
     crease_row(ui);

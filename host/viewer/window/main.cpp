@@ -29,8 +29,8 @@ struct Arguments {
 
 void declare(CLI::App& app, Arguments& a) {
     app.add_option("MODEL", a.models,
-                   "Files that `draw` takes, sessions too; several stand side by side; default the "
-                   "clevis scene");
+                   "Files that `draw` takes, sessions too; several stand side by side; default an "
+                   "empty window");
     app.add_option("--scene", a.scene,
                    "A built-in scene in place of MODEL: clevis, house, ship, office");
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
@@ -65,8 +65,8 @@ void view(Arguments& arguments, ImageWriter& writer) {
     if (!arguments.camera.empty()) session.open_first_camera(arguments.camera);
     if (!arguments.models.empty())
         session.open(arguments.models);
-    else
-        session.open_scene(arguments.scene.empty() ? "clevis" : arguments.scene);
+    else if (!arguments.scene.empty())
+        session.open_scene(arguments.scene);
     application.run();
 }
 

@@ -117,6 +117,7 @@ void switch_panel(Ui& ui, Panel panel) {
     ui.palette = {};
     if (panel == Panel::exporting) begin_export(ui);
     if (panel != Panel::open) return;
+    ui.session.recent.forget_lost();
     const fs::path folder = ui.open.folder.empty() ? first_folder(ui.session) : ui.open.folder;
     ui.open = {};
     enter(ui.open, folder);
@@ -142,6 +143,7 @@ void draw_open_panel(Ui& ui, Area canvas) {
     ImGui::EndChild();
     if (enter_pressed) taken = entered(ui.open, rows);
     if (button(ui, "open.close", "Close")) ui.panel = Panel::none;
+    tip(ui, "Esc");
     ImGui::End();
     if (taken) take(ui, *taken);
 }

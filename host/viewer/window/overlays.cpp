@@ -6,47 +6,34 @@
 namespace lineatlas::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags overlay_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
-    ImGuiWindowFlags_NoNav;
-
-void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
-                   glm::vec2 padding = {14, 12}) {
-    ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(padding.x), ui.points(padding.y)});
-    ImGui::Begin(name, nullptr, overlay_flags);
-    ImGui::PopStyleVar(3);
-}
-
 void toolbar(Ui& ui, Area canvas) {
     begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
     if (toggle(ui, "open.panel", "Open", ui.panel == Panel::open)) switch_panel(ui, Panel::open);
-    tip("Files of a folder, and recent ones (Ctrl+O)");
+    tip(ui, "Files of a folder, and recent ones (Ctrl+O)");
     ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
-    tip("All of the model (F)");
-    for (const auto& [id, text, view] : {std::tuple{"corner", "Corner", StandardView::corner},
-                                         std::tuple{"front", "Front", StandardView::front},
-                                         std::tuple{"right", "Right", StandardView::right},
-                                         std::tuple{"top", "Top", StandardView::top}}) {
+    tip(ui, "All of the model (F)");
+    for (const auto& [id, text, view, help] :
+         {std::tuple{"corner", "Corner", StandardView::corner, "From the front, right, above (0)"},
+          std::tuple{"front", "Front", StandardView::front, "From the front (1)"},
+          std::tuple{"right", "Right", StandardView::right, "From the right (2)"},
+          std::tuple{"top", "Top", StandardView::top, "From above (3)"}}) {
         ImGui::SameLine();
         if (button(ui, id, text)) ui.session.glide_to(view);
+        tip(ui, help);
     }
     ImGui::SameLine(0, ui.points(14));
     const bool parallel = ui.session.navigation.goal().projection == Projection::orthographic;
     if (toggle(ui, "parallel", "Parallel", parallel)) ui.session.toggle_projection();
-    tip("Parallel lines of sight: what is equally long looks so (P)");
+    tip(ui, "Parallel lines of sight: what is equally long looks so (P)");
     ImGui::SameLine();
     if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
-    tip("Where a frame's time goes (T)");
+    tip(ui, "Where a frame's time goes (T)");
     ImGui::SameLine();
     if (toggle(ui, "help", "?", ui.panel == Panel::keys, ui.points(26)))
         switch_panel(ui, Panel::keys);
-    tip("Keys (F1)");
+    tip(ui, "Keys (F1)");
     ImGui::PopStyleVar();
     ImGui::End();
 }
@@ -73,9 +60,9 @@ void split_handle(Ui& ui, Area canvas) {
     list.AddLine({x, canvas.low.y}, {x, bottom}, theme::colors().accent, ui.points(1.5F));
     list.AddCircleFilled({x, middle}, ui.points(13), theme::colors().accent);
     for (const float side : {-1.0F, 1.0F}) {
-        const float tip = x + side * ui.points(8), base = x + side * ui.points(3.5F);
+        const float peak = x + side * ui.points(8), base = x + side * ui.points(3.5F);
         const float half = ui.points(4);
-        list.AddTriangleFilled({tip, middle}, {base, middle - half}, {base, middle + half},
+        list.AddTriangleFilled({peak, middle}, {base, middle - half}, {base, middle + half},
                                theme::colors().on_accent);
     }
     side_name(ui, canvas, settings.sides[0], x, -1);
@@ -91,6 +78,7 @@ void loading(Ui& ui, Area canvas) {
     ImGui::TextDisabled("%s ...", loader.stage().c_str());
     progress_bar(ui, -1);
     if (button(ui, "cancel", "Cancel")) ui.session.cancel_loading();
+    tip(ui, "All stays as it was (Esc)");
     ImGui::End();
 }
 
@@ -100,6 +88,7 @@ void recording(Ui& ui, Area canvas) {
     ImGui::Text("Picture %d of %d", static_cast<int>(now.drawn()), static_cast<int>(now.count()));
     progress_bar(ui, static_cast<float>(now.drawn()) / static_cast<float>(now.count()));
     if (button(ui, "record.cancel", "Stop")) ui.session.cancel_recording();
+    tip(ui, "What is drawn stays (Esc)");
     ImGui::End();
 }
 
@@ -150,15 +139,6 @@ void status(Ui& ui, Area canvas) {
                   plate(ui, text, canvas.low + canvas.size - ui.points(14), {1, 1}));
 }
 
-void invitation(const Ui& ui, Area canvas) {
-    const char* text = "Drop a model here";
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    list.AddText({canvas.low.x + 0.5F * (canvas.size.x - size.x),
-                  canvas.low.y + 0.5F * canvas.size.y - ui.points(8)},
-                 theme::colors().quiet, text);
-}
-
 void at_work(const Ui& ui, Area canvas) {
     begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::Text("%s ...", ui.later->first.c_str());
@@ -175,6 +155,7 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
         selection(ui, canvas);
         if (!ui.session.settings.split) status(ui, canvas);
     }
+    draw_gizmo(ui, canvas);
     toolbar(ui, canvas);
     if (ui.session.recording())
         recording(ui, canvas);
@@ -182,8 +163,8 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
         loading(ui, canvas);
     else if (ui.later)
         at_work(ui, canvas);
-    else if (ui.session.model() == nullptr)
-        invitation(ui, canvas);
+    else if (ui.session.model() == nullptr && ui.panel == Panel::none)
+        draw_start_panel(ui, canvas);
 }
 
 void draw_messages(Ui& ui, Area canvas) {
@@ -207,6 +188,7 @@ void draw_messages(Ui& ui, Area canvas) {
         ImGui::PopTextWrapPos();
         const std::string id = fmt::format("dismiss.{}", i);
         if (message.error && button(ui, id.c_str(), "Dismiss")) ui.session.messages.dismiss(i);
+        if (message.error) tip(ui, "Esc");
         y += ImGui::GetWindowHeight() + ui.points(8);
         ImGui::End();
     }
@@ -246,6 +228,7 @@ void draw_help(Ui& ui) {
         }
     }
     if (button(ui, "help.close", "Close")) ui.panel = Panel::none;
+    tip(ui, "Esc");
     ImGui::End();
 }
 

@@ -46,7 +46,7 @@ void eye(Ui& ui, const Parts& parts, std::uint32_t part, const std::string& name
     ImGui::BeginDisabled(above != Parts::none && parts.is_among(above, all.hidden));
     const bool pressed = ImGui::Checkbox("##shown", &shown);
     ui.spots.note("show:" + name);
-    tip("Whether it is shown");
+    tip(ui, "Whether it is shown");
     ImGui::EndDisabled();
     ImGui::SameLine(0, ui.points(6));
     if (!pressed) return;
@@ -93,7 +93,7 @@ void row(Ui& ui, const Parts& parts, const std::vector<std::uint32_t>& listed, s
         if (!ui.session.selected.contains(part)) ui.session.select(part);
         ui.opens_menu = true;
     }
-    tip(parts.path_of(part).c_str());
+    tip(ui, parts.path_of(part).c_str());
     ImGui::PopID();
 }
 
@@ -103,15 +103,15 @@ void buttons(Ui& ui) {
     const float third = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     ImGui::BeginDisabled(session.selected.empty());
     if (button(ui, "parts.isolate", "Isolate", third)) session.isolate_selected();
-    tip("Show what is selected alone (I); Delete hides it");
+    tip(ui, "Show what is selected alone (I); Delete hides it");
     ImGui::SameLine(0, gap);
     if (button(ui, "parts.frame", "Frame", third)) session.frame_selected();
-    tip("Fill the picture with what is selected (Shift + F)");
+    tip(ui, "Fill the picture with what is selected (Shift + F)");
     ImGui::EndDisabled();
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(session.settings.shown.parts == ShownParts{});
     if (button(ui, "parts.all", "Show all", third)) session.show_parts({});
-    tip("Show what is hidden (U)");
+    tip(ui, "Show what is hidden (U)");
     ImGui::EndDisabled();
 }
 
@@ -126,16 +126,42 @@ void pen(Ui& ui, const Parts& parts) {
     Pen pen = pen_of_object(style, objects.front());
     label(ui, "Its lines");
     const float room = ImGui::GetContentRegionAvail().x / ui.scale - 32;
-    const bool wider =
-        slider_with_number(ui, "part.width", pen.width, 0.3F, 12.0F, "%.1f px", room, 64);
+    const bool wider = slider_with_number(ui, "part.width", pen.width, 0.3F, 12.0F, "%.1f px", room,
+                                          measures::number_room);
+    tip(ui, "Width of its lines in pixels");
     ImGui::SameLine(0, ui.points(8));
-    const bool other = swatch(ui, "part.color", pen.color);
-    tip("Colour of its lines");
+    const bool other = swatch(ui, "part.color", pen.color, "Colour of its lines");
     for (const std::string& object : objects) {
         if (wider) set_width_of_object(style, object, pen.width);
         if (other) set_color_of_object(style, object, pen.color);
     }
     if (wider || other) ui.session.changed();
+}
+
+/// What was dragged, or as high as the rows are.
+float list_height(const Ui& ui, std::size_t rows) {
+    constexpr std::size_t most = 8;
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    if (ui.parts_height > 0) return std::max(ui.points(ui.parts_height), row);
+    return row * static_cast<float>(std::clamp<std::size_t>(rows, 1, most));
+}
+
+/// Makes the list higher or lower.
+void divider(Ui& ui, float height) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::InvisibleButton("parts.divider", {width, ui.points(measures::gap)});
+    ui.spots.note("parts.divider");
+    const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    tip(ui, "Drag it: more parts or fewer are seen");
+    if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float y = 0.5F * (low.y + high.y), middle = 0.5F * (low.x + high.x);
+    const float half = ui.points(16);
+    ImGui::GetWindowDrawList()->AddLine(
+        {middle - half, y}, {middle + half, y},
+        held || hovered ? theme::colors().accent : theme::colors().quiet, ui.points(2));
+    if (held && ImGui::GetIO().MouseDelta.y != 0)
+        ui.parts_height = (height + ImGui::GetIO().MouseDelta.y) / ui.scale;
 }
 
 } // namespace
@@ -177,10 +203,9 @@ void draw_parts_section(Ui& ui) {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##search", "Search", &ui.part_search);
     ui.spots.note("parts.search");
+    tip(ui, "Parts with these letters in their names");
     const std::vector<std::uint32_t> listed = rows(ui, model->parts);
-    constexpr std::size_t most = 8;
-    const float height = ImGui::GetFrameHeightWithSpacing() *
-                         static_cast<float>(std::clamp<std::size_t>(listed.size(), 1, most));
+    const float height = list_height(ui, listed.size());
     ImGui::BeginChild("parts.list", {0, height}, false, ImGuiWindowFlags_NavFlattened);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(listed.size()), ImGui::GetFrameHeightWithSpacing());
@@ -190,6 +215,7 @@ void draw_parts_section(Ui& ui) {
     }
     if (listed.empty()) ImGui::TextDisabled("No part is called so");
     ImGui::EndChild();
+    divider(ui, height);
     buttons(ui);
     pen(ui, model->parts);
 }

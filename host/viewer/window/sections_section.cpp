@@ -27,8 +27,10 @@ bool axis_row(Ui& ui, const std::string& id, Cut& cut) {
     for (int axis = 0; axis < 3; ++axis) {
         ImGui::SameLine(0, ui.points(4));
         const char* name = axis_names.at(static_cast<std::size_t>(axis));
-        if (toggle(ui, fmt::format("{}.{}", id, name).c_str(), name, now == axis, ui.points(28)) &&
-            now != axis) {
+        const bool pressed =
+            toggle(ui, fmt::format("{}.{}", id, name).c_str(), name, now == axis, ui.points(28));
+        tip(ui, "Across this axis");
+        if (pressed && now != axis) {
             cut = across(ui.session, axis, cut);
             changed = true;
         }
@@ -44,6 +46,7 @@ bool position_row(Ui& ui, const std::string& id, Cut& cut) {
         reach_along(sign * cut.normal, ui.session.whole_bounds(), ui.session.origin());
     double at = sign * cut.at;
     const bool changed = slider_with_number(ui, id, at, reach.low, reach.high, "%.4g", 0, 84);
+    tip(ui, "Where it cuts, in the file's coordinates ([ and ])");
     if (changed) cut.at = sign * at;
     return changed;
 }
@@ -55,16 +58,17 @@ Row row(Ui& ui, std::size_t number, Cut& cut) {
     const std::string id = fmt::format("section.{}", number);
     bool changed = ImGui::Checkbox(("##" + id).c_str(), &cut.on);
     ui.spots.note(id + ".on");
-    tip("Whether it cuts");
+    tip(ui, "Whether it cuts");
     changed |= axis_row(ui, id, cut);
     ImGui::SameLine(0, ui.points(12));
     if (button(ui, (id + ".flip").c_str(), "Flip")) {
         cut = flipped(cut);
         changed = true;
     }
-    tip("The other side is gone");
+    tip(ui, "The other side is gone");
     ImGui::SameLine(0, ui.points(4));
     const bool removed = button(ui, (id + ".remove").c_str(), "Remove");
+    tip(ui, "The section goes");
     changed |= position_row(ui, id + ".at", cut);
     if (removed) return Row::removed;
     return changed ? Row::changed : Row::same;
@@ -83,8 +87,9 @@ void draw_sections_section(Ui& ui) {
     }
     ImGui::BeginDisabled(cuts.size() == most_sections);
     if (button(ui, "sections.add", "Add a section", -1)) session.add_cut();
+    tip(ui,
+        "Cuts the model, closes the cut and hatches it (C); the handle in the picture moves it");
     ImGui::EndDisabled();
-    tip("Cuts the model, closes the cut and hatches it (C); the handle in the picture moves it");
 }
 
 void draw_cuts(Ui& ui, Area canvas) {

@@ -4,7 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include "core/limits.hpp"
-#include "lineatlas/scenes.hpp"
+#include "viewer/examples.hpp"
 #include "viewer/saving.hpp"
 #include "widgets.hpp"
 
@@ -19,10 +19,15 @@ std::string with_thousands(std::uint64_t number) {
     return digits;
 }
 
+/// A scene is called what it is.
+std::string title_of(const ModelSource& source) {
+    return source.files.empty() ? source.name() + " (example)" : source.name();
+}
+
 void model_section(Ui& ui) {
     Session& session = ui.session;
     const Model* model = session.model();
-    heading(ui, model == nullptr ? "No model" : shown(ui, model->source.name()));
+    heading(ui, model == nullptr ? "No model" : shown(ui, title_of(model->source)));
     if (model != nullptr) {
         ImGui::TextDisabled("%s triangles, %s edges",
                             with_thousands(model->lines.triangles.size()).c_str(),
@@ -30,14 +35,16 @@ void model_section(Ui& ui) {
     }
     if (model != nullptr && !model->source.files.empty()) {
         checkbox(ui, "adds", "Add to what is open", session.adds);
-        tip("Files that are opened stand beside those that are there, each in its own coordinates");
+        tip(ui,
+            "Files that are opened stand beside those that are there, each in its own coordinates");
     }
-    const std::string shown = model != nullptr ? model->source.scene : "";
+    const std::string scene = model != nullptr ? model->source.scene : "";
     choice(
-        ui, "scene", "Scene", shown.empty() ? "Built-in scenes" : shown, scene_names(),
-        [](std::string_view name) { return std::string{name}; },
-        [&](std::string_view name) { return name == shown; },
-        [&](std::string_view name) { session.open_scene(std::string{name}); });
+        ui, "scene", "Examples", scene.empty() ? "none is open" : scene, all_examples(),
+        [](const Example& example) { return std::string{example.label}; },
+        [&](const Example& example) { return example.scene == scene; },
+        [&](const Example& example) { session.open_scene(std::string{example.scene}); },
+        "Scenes that need no file");
 }
 
 bool quality(Ui& ui, Side& side, const std::string& id) {
@@ -50,7 +57,10 @@ bool quality(Ui& ui, Side& side, const std::string& id) {
         const Sampling sampling = sampling_of(quality);
         const bool on = sampling == Sampling{side.probes, side.depth_scale};
         if (quality != Quality::low) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-        if (toggle(ui, (id + "." + name).c_str(), name, on, half) && !on) {
+        const bool pressed = toggle(ui, (id + "." + name).c_str(), name, on, half);
+        tip(ui, quality == Quality::low ? "One probe for a sample: twice as fast"
+                                        : "Nine probes for a sample, and finer depth");
+        if (pressed && !on) {
             side.probes = sampling.probes;
             side.depth_scale = sampling.depth_scale;
             changed = true;
@@ -65,7 +75,10 @@ bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
         ui, id.c_str(), text, label_of(side.method), method_labels,
         [](const MethodLabel& item) { return std::string{item.label}; },
         [&](const MethodLabel& item) { return item.method == side.method; },
-        [&](const MethodLabel& item) { side.method = item.method; });
+        [&](const MethodLabel& item) { side.method = item.method; },
+        "Quick: the segment atlas, samples along lines, for movements. Exact: lines are cut at the "
+        "faces that hide them. The others are for comparing: samples one line at a time, a "
+        "picture of numbers, and the depth test of OpenGL.");
     ImGui::BeginDisabled(side.method == Method::opengl); // it has no probes
     const bool changed = quality(ui, side, id);
     ImGui::EndDisabled();
@@ -81,26 +94,30 @@ bool fine_quality(Ui& ui, Side& side) {
         [&](std::uint32_t n) {
             side.probes = n;
             changed = true;
-        });
-    changed |=
-        slider(ui, "depth-scale", "Depth scale", side.depth_scale, 1, finest_depth_scale, "%dx");
-    changed |= slider(ui, "step", "Step", side.step, 0.5F, 8.0F, "%.1f px");
+        },
+        "Looks at depth for each sample of a line");
+    changed |= slider(ui, "depth-scale", "Depth scale", side.depth_scale, 1, finest_depth_scale,
+                      "%dx", "Texels of depth for a pixel, a side");
+    changed |= slider(ui, "step", "Step", side.step, 0.5F, 8.0F, "%.1f px",
+                      "Distance of samples along a line");
     return changed;
 }
 
-void method_section(Ui& ui) {
+void method_rows(Ui& ui) {
     Settings& settings = ui.session.settings;
-    if (!section(ui, "visibility", "Visibility")) return;
     bool changed = method(ui, settings.sides[0], "method", "Method");
     if (ImGui::TreeNodeEx("Finer settings", ImGuiTreeNodeFlags_SpanAvailWidth |
                                                 ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
         changed |= fine_quality(ui, settings.sides[0]);
     }
     ui.spots.note("more");
+    tip(ui, "Samples along lines");
     ImGui::BeginDisabled(settings.split || settings.sides[0].method != Method::atlas);
     changed |= checkbox(ui, "exact-at-rest", "Exact when nothing moves", settings.exact_at_rest);
+    tip(ui, "A quarter of a second after a movement the picture is drawn as the tool draws it");
     ImGui::EndDisabled();
     changed |= checkbox(ui, "split", "Split screen with another method", settings.split);
+    tip(ui, "The same camera, with another method right of a line that is dragged (X)");
     if (settings.split) changed |= method(ui, settings.sides[1], "second", "Right side");
     if (changed) ui.session.changed();
 }
@@ -110,17 +127,17 @@ void save_section(Ui& ui) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     ImGui::BeginDisabled(ui.session.model() == nullptr);
     if (toggle(ui, "export", "Export ...", true, half)) switch_panel(ui, Panel::exporting);
-    tip("A picture or paths for a screen, a printer, a plotter or a laser (Ctrl + E)");
+    tip(ui, "A picture or paths for a screen, a printer, a plotter or a laser (Ctrl + E)");
     ImGui::SameLine(0, gap);
     if (button(ui, "save.session", "Save the session", half)) save_as(ui, SavedKind::session);
-    tip("All that is seen here, to be opened again or drawn by the tool (Ctrl + S)");
+    tip(ui, "All that is seen here, to be opened again or drawn by the tool (Ctrl + S)");
     ImGui::EndDisabled();
 }
 
 } // namespace
 
 float sidebar_width(const Ui& ui) {
-    return ui.sidebar ? ui.points(312) : 0;
+    return ui.sidebar ? ui.points(measures::sidebar) : 0;
 }
 
 void save_as(Ui& ui, SavedKind kind) {
@@ -151,6 +168,12 @@ void save_as(Ui& ui, SavedKind kind) {
     }
 }
 
+void draw_advanced_section(Ui& ui) {
+    if (!section(ui, "advanced", "Advanced")) return;
+    method_rows(ui);
+    draw_device_rows(ui);
+}
+
 void draw_sidebar(Ui& ui, Area area) {
     ImGui::SetNextWindowPos({area.low.x, area.low.y});
     ImGui::SetNextWindowSize({area.size.x, area.size.y});
@@ -172,11 +195,10 @@ void draw_sidebar(Ui& ui, Area area) {
     model_section(ui);
     draw_parts_section(ui);
     draw_sections_section(ui);
-    method_section(ui);
     draw_style_section(ui);
     draw_lines_section(ui);
     draw_views_section(ui);
-    draw_device_section(ui);
+    draw_advanced_section(ui);
     ImGui::EndChild();
     ImGui::Dummy({0, ui.points(1)});
     save_section(ui);

@@ -23,7 +23,8 @@ void style_list(Ui& ui) {
     choice(
         ui, "style", "Style", shown_name(session.settings.style_name), names, shown_name,
         [&](const std::string& name) { return name == session.settings.style_name; },
-        [&](const std::string& name) { session.use_style(name); });
+        [&](const std::string& name) { session.use_style(name); },
+        "Pens, widths, colours and effects together (N: the next one)");
 }
 
 bool mark(Ui& ui, Pen& pen) {
@@ -35,16 +36,14 @@ bool mark(Ui& ui, Pen& pen) {
         [&](const PenName& name) {
             pen.mark = name.name;
             changed = true;
-        });
+        },
+        "The mark that strokes leave");
     return changed;
 }
 
 bool color(Ui& ui, const char* id, const char* text, glm::vec3& value) {
     label(ui, text);
-    const bool changed =
-        ImGui::ColorEdit3((std::string{"##"} + id).c_str(), &value.x, ImGuiColorEditFlags_NoInputs);
-    ui.spots.note(id);
-    return changed;
+    return swatch(ui, id, value, "Colour of the lines");
 }
 
 bool fill(Ui& ui, Fill& fill) {
@@ -64,35 +63,43 @@ bool fill(Ui& ui, Fill& fill) {
         [&](const Mode& mode) {
             fill.mode = mode.mode;
             changed = true;
-        });
+        },
+        "Colour under the lines: even, shaded, or in a few tones");
     return changed;
 }
 
 bool pen_rows(Ui& ui, Style& style) {
     bool changed = mark(ui, style.pen);
-    changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12.0F, "%.1f px");
+    changed |= slider(ui, "width", "Width", style.pen.width, 0.3F, 12.0F, "%.1f px",
+                      "Width of strokes in pixels");
     changed |= color(ui, "color", "Colour", style.pen.color);
     column(ui, 140);
     ImGui::TextUnformatted("Paper");
     column(ui, 188);
-    return swatch(ui, "paper", style.paper.color) || changed;
+    return swatch(ui, "paper", style.paper.color, "Colour of the paper") || changed;
 }
 
 bool effect_rows(Ui& ui, Style& style) {
     StrokeFilter& filter = style.filter;
-    bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0.0F, 40.0F, "%.0f px");
-    changed |= slider(ui, "halo", "Halo", filter.halo, 0.0F, 20.0F, "%.1f px");
+    bool changed = slider(ui, "overshoot", "Overshoot", filter.overshoot, 0.0F, 40.0F, "%.0f px",
+                          "Strokes go on beyond their ends");
+    changed |= slider(ui, "halo", "Halo", filter.halo, 0.0F, 20.0F, "%.1f px",
+                      "Gap in the farther of two lines that cross");
     changed |= slider(ui, "density", "Density", style.density.limit, 0.0F, 1.0F,
-                      style.density.limit > 0 ? "%.2f" : "no limit");
+                      style.density.limit > 0 ? "%.2f" : "no limit",
+                      "How dense lines may be; less leaves some out");
     changed |= fill(ui, style.fill);
-    changed |= slider(ui, "grain", "Grain", style.paper.grain, 0.0F, 1.0F, "%.2f");
+    changed |= slider(ui, "grain", "Grain", style.paper.grain, 0.0F, 1.0F, "%.2f",
+                      "Strength of the texture of the paper");
     changed |= checkbox(ui, "hidden", "Hidden lines", style.hidden);
+    tip(ui, "Lines behind faces, in a pen of their own (H)");
     if (!style.hidden) return changed;
-    changed |=
-        slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6.0F, "%.1f px");
+    changed |= slider(ui, "hidden-width", "  their width", style.hidden_pen.width, 0.3F, 6.0F,
+                      "%.1f px", "Width of hidden lines");
     changed |= color(ui, "hidden-color", "  their colour", style.hidden_pen.color);
-    changed |= slider(ui, "hidden-density", "  their density", style.hidden_density, 0.0F, 1.0F,
-                      style.hidden_density > 0 ? "%.2f" : "no limit");
+    changed |=
+        slider(ui, "hidden-density", "  their density", style.hidden_density, 0.0F, 1.0F,
+               style.hidden_density > 0 ? "%.2f" : "no limit", "How dense hidden lines may be");
     return changed;
 }
 
@@ -106,7 +113,7 @@ void draw_style_section(Ui& ui) {
     const bool effect_changed = effect_rows(ui, style);
     if (pen_changed || effect_changed) ui.session.changed();
     if (button(ui, "save.style", "Save the style", -1)) save_as(ui, SavedKind::style);
-    tip("As TOML, for --style");
+    tip(ui, "As TOML, for --style");
 }
 
 } // namespace lineatlas::viewer

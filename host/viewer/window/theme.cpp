@@ -9,9 +9,6 @@
 namespace lineatlas::viewer {
 namespace {
 
-constexpr float letter_size = 15; // points
-constexpr float heading_size = 15;
-
 struct FontFiles {
     const char* regular;
     const char* bold;
@@ -67,13 +64,14 @@ ImFont* load_fonts(float pixels_per_letter, const Letters& letters) {
     for (const FontFiles& files : font_files) {
         if (!std::filesystem::exists(files.regular) || !std::filesystem::exists(files.bold))
             continue;
-        add_font(files.regular, letter_size * pixels_per_letter, letters, ranges.Data);
-        ImFont* bold = add_font(files.bold, heading_size * pixels_per_letter, letters, ranges.Data);
+        add_font(files.regular, measures::letters * pixels_per_letter, letters, ranges.Data);
+        ImFont* bold =
+            add_font(files.bold, measures::letters * pixels_per_letter, letters, ranges.Data);
         if (fonts.Build()) return bold;
         fonts.Clear(); // a file is broken
     }
     ImFontConfig config;
-    config.SizePixels = letter_size * pixels_per_letter;
+    config.SizePixels = measures::letters * pixels_per_letter;
     return fonts.AddFontDefault(&config);
 }
 
@@ -161,12 +159,12 @@ ImFont* apply_theme(Theme theme, float scale, float pixels_per_point, const Lett
     set_colors(style);
     style.WindowPadding = {16, 14};
     style.FramePadding = {8, 4};
-    style.ItemSpacing = {8, 5};
-    style.ItemInnerSpacing = {8, 4};
+    style.ItemSpacing = {measures::gap, 5};
+    style.ItemInnerSpacing = {measures::gap, 4};
     style.ScrollbarSize = 12;
     style.GrabMinSize = 12;
     style.WindowRounding = 0;
-    style.PopupRounding = style.FrameRounding = style.GrabRounding = 4;
+    style.PopupRounding = style.FrameRounding = style.GrabRounding = measures::item_rounding;
     style.ScrollbarRounding = 6;
     style.WindowBorderSize = style.FrameBorderSize = style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;

@@ -8,6 +8,20 @@ namespace lineatlas::viewer {
 
 enum class Theme { light, dark };
 
+/// Sizes and gaps of the whole window, in points; what is smaller is a half or a quarter of a gap.
+namespace measures {
+inline constexpr float letters = 15;       ///< headings, too: those are bold
+inline constexpr float gap = 8;            ///< between items
+inline constexpr float sidebar = 312;      ///< its width
+inline constexpr float label_column = 96;  ///< where what a label is about begins
+inline constexpr float number_room = 64;   ///< right of a slider
+inline constexpr float tip = 320;          ///< width of what says what an item does
+inline constexpr float inset = 12;         ///< of what floats, from the picture's border
+inline constexpr float panel_rounding = 6; ///< of what floats
+inline constexpr float item_rounding = 4;  ///< of buttons, fields and plates
+inline constexpr struct { float x, y; } progress{260, 4}; ///< the bar
+} // namespace measures
+
 namespace theme {
 /// Paper, ink and one accent: a dark one with light letters on it. What is marked in the picture
 /// has hues of its own.

@@ -139,11 +139,11 @@ void draw_timings(Ui& ui, Area canvas) {
         legend(ui, timings);
     ImGui::PopStyleVar();
     if (toggle(ui, "timings.kernels", "Kernels", ui.kernels)) ui.kernels = !ui.kernels;
-    tip("Bytes that each kernel reads and writes in the last frame, and how fast");
+    tip(ui, "Bytes that each kernel reads and writes in the last frame, and how fast");
     ImGui::SameLine();
     ImGui::BeginDisabled(timings.profiles().empty());
     if (button(ui, "timings.trace", "Save a trace")) save_as(ui, SavedKind::trace);
-    tip("These frames for Perfetto or chrome://tracing");
+    tip(ui, "These frames for Perfetto or chrome://tracing");
     ImGui::EndDisabled();
     ImGui::End();
 }

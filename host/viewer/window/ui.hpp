@@ -28,13 +28,20 @@ struct Area {
 /// Where the items of the last frame are, by name: for those who press them without a hand.
 class Spots {
   public:
-    void begin_frame() { areas_.clear(); }
+    void begin_frame() {
+        areas_.clear();
+        with_tips_.clear();
+    }
     void note(const std::string& name, Area area) { areas_[name] = area; }
     /// The item that was made last.
     void note(const std::string& name) {
         const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
         areas_[name] = {{low.x, low.y}, {size.x, size.y}};
+        last_ = name;
     }
+    /// The item that was noted last says what it does.
+    void note_tip() { with_tips_.insert(last_); }
+    bool has_tip(const std::string& name) const { return with_tips_.contains(name); }
     const std::map<std::string, Area>& all() const { return areas_; }
     std::optional<Area> find(const std::string& name) const {
         const auto found = areas_.find(name);
@@ -44,6 +51,8 @@ class Spots {
 
   private:
     std::map<std::string, Area> areas_;
+    std::set<std::string> with_tips_;
+    std::string last_;
 };
 
 /// A device that one can choose.
@@ -83,7 +92,8 @@ struct Ui {
     ImFont* bold = nullptr;
     float scale = 1; ///< of letters and spacing
     Theme theme = Theme::light;
-    std::set<std::string> folded{}; ///< sections of the sidebar
+    std::set<std::string> folded{"advanced"}; ///< sections of the sidebar
+    float parts_height = 0; ///< of the list of parts, points; 0: as high as they are, up to a limit
     bool sidebar = true, timings = false;
     std::vector<DeviceChoice> devices{};
     Panel panel = Panel::none;
@@ -123,11 +133,14 @@ void draw_sections_section(Ui& ui);
 void draw_style_section(Ui& ui);
 void draw_lines_section(Ui& ui);
 void draw_views_section(Ui& ui);
-void draw_device_section(Ui& ui);
+void draw_advanced_section(Ui& ui);
+void draw_device_rows(Ui& ui); ///< of that
 /// Where cuts lie, with handles to drag.
 void draw_cuts(Ui& ui, Area canvas);
 void draw_distances(Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
+void draw_start_panel(Ui& ui, Area canvas);
+void draw_gizmo(Ui& ui, Area canvas);
 void draw_timings(Ui& ui, Area canvas);
 void draw_messages(Ui& ui, Area canvas);
 void draw_help(Ui& ui);

@@ -13,28 +13,30 @@ void draw_views_section(Ui& ui) {
         const float room = ImGui::GetContentRegionAvail().x - ui.points(80);
         if (ImGui::Selectable(kept[i].name.c_str(), false, 0, {room, 0})) session.go_to_bookmark(i);
         ui.spots.note("view:" + kept[i].name);
+        tip(ui, "A click goes there");
         ImGui::SameLine();
         const bool removed = button(ui, fmt::format("view.{}.remove", i).c_str(), "Remove", -1);
+        tip(ui, "It is kept no longer");
         ImGui::PopID();
         if (!removed) continue;
         kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
         return session.changed();
     }
     if (button(ui, "views.add", "Keep this view", -1)) session.add_bookmark();
-    tip("Kept in the session; a click goes there (B)");
+    tip(ui, "Kept in the session; a click goes there (B)");
     if (button(ui, "save.camera", "Save the camera", -1)) save_as(ui, SavedKind::camera);
-    tip("As JSON, for --camera-path");
-    slider(ui, "record.frames", "Pictures", ui.record_frames, 2, 500, "%d");
+    tip(ui, "As JSON, for --camera-path");
+    slider(ui, "record.frames", "Pictures", ui.record_frames, 2, 500, "%d", "Of a recording");
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     using Move = Session::Move;
     if (button(ui, "record.turntable", "Record a turn", half))
         session.start_recording(Move::turntable, ui.folder, ui.record_frames);
-    tip("A turn about the model as pictures, and as video where ffmpeg is installed");
+    tip(ui, "A turn about the model as pictures, and as video where ffmpeg is installed");
     ImGui::SameLine(0, gap);
     if (button(ui, "record.views", "Record the views", half))
         session.start_recording(Move::kept_views, ui.folder, ui.record_frames);
-    tip("From each kept view to the next one");
+    tip(ui, "From each kept view to the next one");
 }
 
 } // namespace lineatlas::viewer

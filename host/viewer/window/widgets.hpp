@@ -83,12 +83,19 @@ inline void column(const Ui& ui, float points) {
 inline void label(const Ui& ui, const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
-    column(ui, 96);
+    column(ui, measures::label_column);
     ImGui::SetNextItemWidth(-1);
 }
 
-inline void tip(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+/// What the item does that was made and noted last.
+inline void tip(Ui& ui, const char* text) {
+    ui.spots.note_tip();
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ui.points(measures::tip));
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 /// A slider so many points wide, 0 for all there are; its number stands on the right of it, in
@@ -101,6 +108,7 @@ bool slider_with_number(Ui& ui, const std::string& id, Number& value, Number low
                                                                     : ImGuiDataType_S32;
     const std::string name = "##" + id;
     const float all = width > 0 ? ui.points(width) : ImGui::GetContentRegionAvail().x;
+    ImGui::BeginGroup(); // one item
     ImGui::SetNextItemWidth(all - ui.points(room));
     const bool typed = ImGui::TempInputIsActive(ImGui::GetID(name.c_str()));
     if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, 0); // the number that lies under the grip
@@ -115,19 +123,22 @@ bool slider_with_number(Ui& ui, const std::string& id, Number& value, Number low
                          ImGui::CalcTextSize(text.data()).x);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text.data());
+    ImGui::EndGroup();
     return changed;
 }
 
 template <class Number>
 bool slider(Ui& ui, const char* id, const char* text, Number& value, Number low, Number high,
-            const char* format = "%.1f") {
+            const char* format, const char* help) {
     label(ui, text);
-    constexpr float room = 64;
-    return slider_with_number(ui, id, value, low, high, format, 0, room);
+    const bool changed =
+        slider_with_number(ui, id, value, low, high, format, 0, measures::number_room);
+    tip(ui, help);
+    return changed;
 }
 
 /// A colour. With a border: it may be the panel's own.
-inline bool swatch(Ui& ui, const char* id, glm::vec3& value) {
+inline bool swatch(Ui& ui, const char* id, glm::vec3& value, const char* help) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
     const bool changed =
@@ -135,6 +146,7 @@ inline bool swatch(Ui& ui, const char* id, glm::vec3& value) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ui.spots.note(id);
+    tip(ui, help);
     return changed;
 }
 
@@ -168,7 +180,7 @@ inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::v
                            ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos({low.x, low.y});
     ImGui::SetNextWindowSize({size.x, size.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(measures::panel_rounding));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin(name, nullptr,
                  flags | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -212,7 +224,7 @@ inline bool move_choice(SearchState& state, std::size_t count) {
 
 /// How much of something is done, 0 to 1; below 0 nobody knows: something moves.
 inline void progress_bar(const Ui& ui, float done) {
-    const float width = ui.points(260), height = ui.points(4);
+    const float width = ui.points(measures::progress.x), height = ui.points(measures::progress.y);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -222,6 +234,22 @@ inline void progress_bar(const Ui& ui, float done) {
     const float to = done < 0 ? std::min(1.0F, 1.3F * phase) : std::min(done, 1.0F);
     list.AddRectFilled({low.x + from * width, low.y}, {low.x + to * width, low.y + height},
                        theme::colors().accent, height);
+}
+
+inline constexpr ImGuiWindowFlags overlay_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+    ImGuiWindowFlags_NoNav;
+
+/// A panel as large as what is in it; ends with ImGui::End().
+inline void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
+                          glm::vec2 padding = {14, 12}) {
+    ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.points(measures::panel_rounding));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(padding.x), ui.points(padding.y)});
+    ImGui::Begin(name, nullptr, overlay_flags);
+    ImGui::PopStyleVar(3);
 }
 
 /// What is drawn over the picture and ends where it does; ends with PopClipRect().
@@ -261,11 +289,14 @@ inline std::optional<ImVec2> place_of(const Session& session, Area canvas, glm::
 template <class Items, class Name, class Chosen, class Choose>
 void choice(Ui& ui, const char* id, const char* text, const std::string& preview,
             const Items& items, const Name& name_of_item, const Chosen& is_chosen,
-            const Choose& choose) {
+            const Choose& choose, const char* help) {
     label(ui, text);
     const bool open = ImGui::BeginCombo((std::string{"##"} + id).c_str(), preview.c_str(),
                                         ImGuiComboFlags_HeightLargest);
-    if (!open) return ui.spots.note(id);
+    if (!open) {
+        ui.spots.note(id);
+        return tip(ui, help);
+    }
     for (const auto& item : items) {
         const std::string name = name_of_item(item);
         if (ImGui::Selectable(name.c_str(), is_chosen(item))) choose(item);

@@ -1,0 +1,127 @@
+// The first minute: an empty window, what it offers, and what its controls say of themselves.
+
+#include <algorithm>
+#include <array>
+
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+class ViewerStart : public testing::Test {
+  protected:
+    viewer::Session& session() { return app_.session(); }
+    std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+    TemporaryFolder folder_;
+    ImageWriter writer_;
+    viewer::Application app_{{.size = {1280, 800}, .scale = 1, .scripted = true}, writer_};
+    ViewerDriver hand_{app_};
+};
+
+TEST_F(ViewerStart, AnEmptyWindowOpensFilesAndExamples) {
+    std::ofstream{path("nut.obj")} << box("Nut", {0, 0, 0}, 1);
+    std::ofstream{path("recent")} << path("nut.obj") << '\n'
+                                  << path("lost.obj") << '\n'
+                                  << path("nut.obj") << '\n';
+    session().recent = viewer::RecentFiles{path("recent")};
+    EXPECT_EQ(session().recent.all().size(), 1U) << "once each, and those that are there";
+    hand_.panel_frames(3);
+    hand_.screenshot("start");
+    EXPECT_TRUE(hand_.has("start.recent:nut.obj"));
+    hand_.click("start.open");
+    EXPECT_EQ(app_.ui().panel, viewer::Panel::open);
+    EXPECT_FALSE(hand_.has("start.open")) << "one panel at a time";
+    hand_.key(GLFW_KEY_ESCAPE);
+    hand_.click("example.ship");
+    EXPECT_EQ(session().model()->source.name(), "ship");
+    EXPECT_FALSE(hand_.has("start.open"));
+}
+
+TEST_F(ViewerStart, PanelsCloseEachOther) {
+    hand_.open_scene("clevis");
+    for (const auto& [key, mods, panel] :
+         {std::tuple{GLFW_KEY_F1, 0, viewer::Panel::keys},
+          {GLFW_KEY_O, GLFW_MOD_CONTROL, viewer::Panel::open},
+          {GLFW_KEY_E, GLFW_MOD_CONTROL, viewer::Panel::exporting},
+          {GLFW_KEY_P, GLFW_MOD_CONTROL, viewer::Panel::palette}}) {
+        hand_.key(key, mods);
+        EXPECT_EQ(app_.ui().panel, panel);
+        const auto there = [&](const char* spot) { return hand_.has(spot) ? 1 : 0; };
+        EXPECT_EQ(there("help.close") + there("open.close") + there("export.close") +
+                      there("palette.search"),
+                  1);
+    }
+}
+
+TEST_F(ViewerStart, TheAxesShowHowTheModelStandsAndLead) {
+    hand_.open_scene("house");
+    const auto from = [&] {
+        const View& view = session().navigation.view();
+        return glm::normalize(view.eye - view.target);
+    };
+    hand_.click("axis.X");
+    EXPECT_GT(from().x, 0.999F);
+    hand_.rest();
+    hand_.click("axis.Y");
+    EXPECT_GT(from().y, 0.999F) << "from above, though up is the same axis";
+    hand_.click("axis.-Z");
+    EXPECT_LT(from().z, -0.999F);
+}
+
+TEST_F(ViewerStart, EveryControlSaysWhatItDoes) {
+    app_.ui().folded.clear();
+    std::ofstream{path("m.obj")} << box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9);
+    // What has its name on it, or is said by what it stands in.
+    constexpr std::array named{
+        "part:", "recent:", "start.recent:", "entry:",      "command:",      "section",
+        "menu:", "status:", "palette.",      "open.search", "export.preview"};
+    const auto expect_tips = [&](const char* where) {
+        SCOPED_TRACE(where);
+        EXPECT_GT(app_.ui().spots.all().size(), 8U);
+        for (const auto& [spot, area] : app_.ui().spots.all()) {
+            const bool is_named = std::ranges::any_of(
+                named, [&](const char* start) { return spot.starts_with(start); });
+            EXPECT_TRUE(is_named || app_.ui().spots.has_tip(spot)) << spot;
+        }
+    };
+    hand_.panel_frames(3);
+    expect_tips("empty");
+    hand_.drop(path("m.obj"));
+    hand_.key(GLFW_KEY_C);
+    hand_.key(GLFW_KEY_B);
+    hand_.key(GLFW_KEY_H);
+    hand_.click("part:Base");
+    hand_.key(GLFW_KEY_X);
+    hand_.key(GLFW_KEY_T);
+    expect_tips("a model");
+    for (const auto& [key, mods] :
+         {std::pair{GLFW_KEY_F1, 0}, std::pair{GLFW_KEY_O, GLFW_MOD_CONTROL},
+          std::pair{GLFW_KEY_E, GLFW_MOD_CONTROL}}) {
+        hand_.key(key, mods);
+        expect_tips("a panel");
+    }
+    hand_.click("export.print");
+    hand_.click("export.sheet");
+    expect_tips("a sheet");
+}
+
+TEST_F(ViewerStart, TheListOfPartsGrowsWithItsDivider) {
+    std::string boxes;
+    for (int i = 0; i < 40; ++i)
+        boxes += box("Box " + std::to_string(i), {3.0F * static_cast<float>(i), 0, 0}, 8 * i + 1);
+    std::ofstream{path("boxes.obj")} << boxes;
+    hand_.drop(path("boxes.obj"));
+    const auto rows = [&] {
+        return std::ranges::count_if(app_.ui().spots.all(), [](const auto& spot) {
+            return spot.first.starts_with("part:");
+        });
+    };
+    const auto before = rows();
+    const glm::dvec2 place = hand_.middle_of("parts.divider");
+    hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place + glm::dvec2{0, 120});
+    EXPECT_GT(rows(), before + 2);
+}
+
+} // namespace
+} // namespace lineatlas::test
