@@ -7,6 +7,7 @@
 
 #include "line_groups.hpp"
 #include "path_data.hpp"
+#include "paths.hpp"
 #include "pen_stroke.hpp"
 #include "svg_document.hpp"
 #include "tags.hpp"
@@ -42,10 +43,10 @@ void set_stroke(pugi::xml_node& group, const Pen& pen, const Sheet& sheet) {
         set(group, "stroke-miterlimit", number_text(stroke.mitre_limit, opacity_digits));
     }
     set(group, "stroke-linecap", stroke.round ? "round" : "butt");
-    if (stroke.dashes) {
-        set(group, "stroke-dasharray",
-            length(stroke.dashes->dash) + " " + length(stroke.dashes->gap));
-    }
+    if (stroke.dashes.empty()) return;
+    std::string dashes;
+    for (const double each : stroke.dashes) dashes += (dashes.empty() ? "" : " ") + length(each);
+    set(group, "stroke-dasharray", dashes);
 }
 
 pugi::xml_node add_group(pugi::xml_node& parent, const LineGroup& lines, const Sheet& sheet,
@@ -73,12 +74,15 @@ void write_paths(pugi::xml_node& parent, const VectorDrawing& drawing, const She
                  const SvgPaths& how) {
     for (const LineGroup& group : line_groups(drawing)) {
         pugi::xml_node node = add_group(parent, group, sheet, how);
+        const PenStroke stroke = pen_stroke(group.pen, sheet);
         for (const VectorPath& path : group.paths) {
             const std::string data =
                 path_data(outline_of(path, sheet, how.arcs), sheet.digits, how.relative);
             if (data.empty()) continue;
             pugi::xml_node element = node.append_child("path");
             set(element, "d", data);
+            if (const double offset = dash_offset(stroke, sheet.scale * length_of(path)))
+                set(element, "stroke-dashoffset", number_text(offset, sheet.digits + 1));
             if (how.tags) add_text(element, "desc", tags_text(drawing, path));
         }
     }

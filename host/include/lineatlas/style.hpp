@@ -33,8 +33,8 @@ using Profile = std::vector<float>;
 
 /// What a line is drawn with. Lengths are in pixels.
 struct Pen {
-    /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted) or an image file: its
-    /// darkness is coverage, u along the stroke at a constant rate, v across it.
+    /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted, chain) or an image
+    /// file: its darkness is coverage, u along the stroke at a constant rate, v across it.
     std::string mark = "solid";
     float width = 2;          ///< above 0, at most 1000
     glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
