@@ -80,7 +80,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
                                .target = parse_point("--target", given("--target")) - origin,
                                .up = parse_up("--up", given("--up")),
                                .fov_y = parse_degrees(given("--fov"))},
-                      .lines = {},
+                      .lines = {.lines = usual_line_kinds},
                       .sections = {}};
         if (const auto projection = described(drawing.description, "--projection"))
             making.view.projection = parse_projection(*projection);

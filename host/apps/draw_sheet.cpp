@@ -43,13 +43,14 @@ class Finder {
     Style style_; ///< with the lengths of views
 };
 
+        wanted_.centre_overhang = centre_overhang(style_, camera.size);
 VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
                        const FrameOptions& options) {
     const Subject& subject = sheet.subject;
     const Style style = style_of_view(options.style, sheet.layout.views.front());
     Finder finder{arguments,
                   subject.lines,
-                  {.lines = options.lines,
+                  {.lines = drawn_kinds(options.lines, options.style),
                    .hidden = true,
                    .step = options.step,
                    .outlines = tells_outlines(style)},
@@ -80,7 +81,8 @@ OutputPlaces output_places(const DrawArguments& arguments) {
 std::string description_of(const DrawArguments& arguments, const CLI::App& app,
                            const Subject& subject) {
     const std::string& model = arguments.session.empty() ? arguments.model : arguments.session;
-    std::string text = describe_drawing(app, model, subject.sections, subject.deflection);
+    std::string text = describe_drawing(app, model, subject.sections, subject.deflection,
+                                        subject.line_options.lines);
     for (const char* option : {"--up", "--projection", "--unit"})
         if (app.count(option) > 0)
             text += fmt::format(" {}={}", option, app[option]->as<std::string>());
@@ -123,13 +125,14 @@ void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
     options.style = arguments.style.style();
     output_places(arguments);
 
-    const SheetSubject sheet = find_sheet(arguments, options.lines);
+    const LineKindMask kinds = drawn_kinds(options.lines, options.style);
+    const SheetSubject sheet = find_sheet(arguments, kinds);
     const Subject& subject = sheet.subject;
     print_notes(subject.notes);
     if (!options.style.pens.empty())
         print_notes(idle_rules(line_classes(subject.lines), options.style));
     const VectorSheet drawn = find_views(arguments, sheet, options);
-    say_if_empty(drawn, subject, options.lines);
+    say_if_empty(drawn, subject, kinds);
     ImageSettings picture = arguments.picture.settings();
     if (picture.dpi == 0) picture.dpi = usual_dpi;
     const SheetWriting writing = writing_of(arguments, app, subject);

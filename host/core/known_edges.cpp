@@ -51,6 +51,12 @@ KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
     }
 }
 
+bool KnownEdges::smooth(const MeshEdge& edge) const {
+    if (kinds_.empty()) return false;
+    const auto found = kinds_.find(pair_key(edge.p, edge.q));
+    return found != kinds_.end() && found->second == KnownEdge::Kind::smooth;
+}
+
 bool KnownEdges::drawn(const MeshEdge& edge) const {
     if (kinds_.empty()) return false;
     const auto found = kinds_.find(pair_key(edge.p, edge.q));

@@ -24,13 +24,14 @@ class Assembly;
 
 /// Which pieces of lines LineVisibility finds.
 struct VisibilityOptions {
-    LineKindMask lines = all_line_kinds; ///< of the kinds extracted
+    LineKindMask lines = usual_line_kinds; ///< of the kinds extracted
     bool hidden = false; ///< hidden pieces too: together the whole of every line in the picture
     /// Pixels, 0.01 to 10000: a line of one segment that is shorter is left out, as
     /// FrameOptions::step has it.
     float step = 2;
-    bool outlines = false;   ///< for LineVisibility::outlines()
-    float outline_depth = 6; ///< for the same, pixels, at least 0: thinner bodies have no outline
+    bool outlines = false;     ///< for LineVisibility::outlines()
+    float outline_depth = 6;   ///< for the same, pixels, at least 0: thinner bodies have no outline
+    float centre_overhang = 0; ///< Style::centre_overhang, pixels, at least 0
 };
 
 /// What is visible of lines, by the exact method (Method::exact): the intervals that a Renderer
