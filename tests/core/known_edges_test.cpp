@@ -89,7 +89,8 @@ TEST(KnownEdges, BetweenGroupsSmoothOnesAreMaterialLines) {
     mesh.triangle_group = {0, 1};
     mesh.groups.resize(2);
     mesh.known_edges = {{0, 1, Kind::sharp}};
-    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 0U);
     mesh.known_edges[0].kind = Kind::smooth;
     EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
 }
