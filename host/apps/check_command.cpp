@@ -14,6 +14,7 @@
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
 #include "commands.hpp"
+#include "explode_options.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
@@ -123,6 +124,7 @@ void check(const CheckArguments& arguments) {
         const PartFilter parts{all_described(drawing.description, "--only"),
                                all_described(drawing.description, "--hide")};
         parts.apply(loaded);
+        ExplodeOptions{all_described(drawing.description, "--explode")}.apply(loaded);
     });
     Mesh& mesh = loaded.mesh;
     const Making making = making_of(drawing, arguments.drawing, loaded.origin);

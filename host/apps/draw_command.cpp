@@ -61,6 +61,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     if (arguments.models.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    arguments.explode.explosion();
     if (!arguments.scene.empty() && arguments.parts.given())
         throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
@@ -401,6 +402,7 @@ Command setup_draw(CLI::App& app) {
                  "Of STEP, IGES and BREP files draw edges where faces go over into each other, too")
         ->group(model);
     a.parts.declare(app, model);
+    a.explode.declare(app, model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
     app.add_option("--size", a.size, "Picture size in pixels")

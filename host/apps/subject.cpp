@@ -92,6 +92,9 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                               .silhouettes = silhouettes(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
+        LoadedMesh apart{.mesh = std::move(scene.mesh)};
+        arguments.explode.apply(apart);
+        scene.mesh = std::move(apart.mesh);
         std::vector<std::string> notes;
         const View whole =
             arguments.view.says_direction()
@@ -129,6 +132,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     std::vector<std::string> sections =
         cut(arguments, loaded.mesh, loaded.origin,
             arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
+    arguments.explode.apply(loaded);
     LineSet lines = extract_lines(loaded.mesh, options);
     nlohmann::ordered_json summary;
     if (arguments.sheet.wants_summary(arguments.view))

@@ -32,8 +32,10 @@ std::shared_ptr<Model> cut(const Model& model, const PlanesArgument& planes,
                                {.spacing = static_cast<double>(*spacing),
                                 .angle = static_cast<double>(*angle),
                                 .none = !hatching});
-    auto result = std::make_shared<Model>(
-        Model{.mesh = std::move(section.mesh), .notes = model.notes, .origin = model.origin});
+    auto result = std::make_shared<Model>(Model{.mesh = std::move(section.mesh),
+                                                .notes = model.notes,
+                                                .origin = model.origin,
+                                                .parts = model.parts});
     result->notes.insert(result->notes.end(), section.notes.begin(), section.notes.end());
     return result;
 }

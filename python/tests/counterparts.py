@@ -85,6 +85,8 @@ ELSEWHERE = {
     "make_scene()": "scene()", "scene_names()": "SCENES",
     "Hatching": "Mesh.cut()", "Hatching.angle": "Mesh.cut(angle)", "Hatching.none": "Mesh.cut(hatching)",
     "Hatching.spacing": "Mesh.cut(spacing)", "Section": "Mesh.cut()", "Section.mesh": "Mesh.cut()", "Section.notes": "Mesh.notes",
+    "Explosion": "Mesh.exploded()", "Explosion.factor": "Mesh.exploded(factor)", "Explosion.moves": "Mesh.exploded(moves)",
+    "Explosion.trails": "Mesh.exploded(trails)", "PartMove.*": "Mesh.exploded(moves)", "explode()": "Mesh.exploded()",
     "SectionPlane.*": "Mesh.cut(planes)", "cut_mesh()": "Mesh.cut()", "parse_section()": "Mesh.cut(planes)",
     # styles
     "Style.more_lines": "Style[more-lines]", "Style.centre_overhang": "Style[centre-overhang]", "Style.density": "Style[density]", "Style.fill": "Style[fill]", "Style.filter": "Style[drop-runs]",
