@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/empty_drawing.hpp"
 #include "core/line_pens.hpp"
 #include "description.hpp"
+#include "flags.h"
 #include "io/standard_streams.hpp"
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
@@ -20,6 +24,12 @@ namespace lineatlas::apps {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// To a thousandth of a millimetre.
+Json list(glm::dvec2 v) {
+    const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
+    return {thousandths(v.x), thousandths(v.y)};
+}
 
 /// Of a picture whose resolution nobody says: thin lines are a pixel and a half wide.
 constexpr float usual_dpi = 150;
@@ -33,6 +43,7 @@ class Finder {
 
     SeenLines find(const Camera& camera) {
         wanted_.outline_depth = outline_depth(style_, camera.size);
+        wanted_.centre_overhang = centre_overhang(style_, camera.size);
         std::vector<Interval> intervals = visibility_.find(camera, wanted_);
         return {std::move(intervals), visibility_.outlines()};
     }
@@ -43,7 +54,6 @@ class Finder {
     Style style_; ///< with the lengths of views
 };
 
-        wanted_.centre_overhang = centre_overhang(style_, camera.size);
 VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
                        const FrameOptions& options) {
     const Subject& subject = sheet.subject;
@@ -99,14 +109,50 @@ SheetWriting writing_of(const DrawArguments& arguments, const CLI::App& app,
             .description = description_of(arguments, app, subject)};
 }
 
+/// The middle of the longest straight piece of a visible line of a part.
+struct BalloonPlace {
+    double length = 0;
+    glm::dvec2 at{0}; ///< pixels of the view
+};
+
+void take_longer(const VectorPath& path, const std::vector<std::uint32_t>& items,
+                 std::map<std::uint32_t, BalloonPlace>& places) {
+    for (const VectorPiece& piece : path.pieces) {
+        if (piece.source.triangle >= items.size()) continue;
+        const glm::dvec2 from = path.points[piece.point].at, to = path.points[piece.point + 1].at;
+        const double share = static_cast<double>(piece.to) - static_cast<double>(piece.from);
+        const double middle =
+            0.5 * (static_cast<double>(piece.from) + static_cast<double>(piece.to));
+        BalloonPlace& best = places[items[piece.source.triangle]];
+        const double length = share * glm::distance(from, to);
+        if (length > best.length) best = {length, glm::mix(from, to, middle)};
+    }
+}
+
+/// Where a leader to a part may end, by the numbers of the parts list; of what is seen of them.
+Json balloons_of(const VectorDrawing& drawing, const SheetView& view,
+                 const std::vector<std::uint32_t>& items) {
+    constexpr LineKindMask beside = LA_KINDS_BESIDE;
+    std::map<std::uint32_t, BalloonPlace> places;
+    for (const VectorPath& path : drawing.paths)
+        if (path.visible && (mask_of(path.kind) & beside) == 0) take_longer(path, items, places);
+    Json balloons = Json::array();
+    for (const auto& [item, place] : places)
+        balloons.push_back({{"item", item}, {"at", list(view.corner + view.scale * place.at)}});
+    return balloons;
+}
+
 /// The model, and where on the page each view of it stands, in millimetres.
 Json summary_of(const Subject& subject, const VectorSheet& sheet) {
     const SheetLayout& layout = sheet.layout;
-    const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
-    const auto list = [&](glm::dvec2 v) { return Json{thousandths(v.x), thousandths(v.y)}; };
     Json views = Json::array();
-    for (const SheetView& view : layout.views)
-        views.push_back({{"name", view.name}, {"low", list(view.low)}, {"high", list(view.high)}});
+    for (std::size_t i = 0; i < layout.views.size(); ++i) {
+        const SheetView& view = layout.views[i];
+        views.push_back({{"name", view.name},
+                         {"low", list(view.low)},
+                         {"high", list(view.high)},
+                         {"balloons", balloons_of(sheet.drawings[i], view, subject.items)}});
+    }
     Json summary = subject.summary;
     summary["size_mm"] = {sheet.model_size.x, sheet.model_size.y, sheet.model_size.z};
     Json& notes = summary["notes"];
