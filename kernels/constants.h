@@ -52,6 +52,10 @@
 #define LA_GRAZING 0.5f
 #define LA_GRAZING_STEPS 3u
 
+/* Cosine of the angle between view and axis below which an axis is seen end on, 5 degrees: its
+ * centre mark is drawn then, and above it the axis. */
+#define LA_END_ON 0.9961947f
+
 /* Cosine of the sharpest turn that is joined; a sharper one gets round ends. 150 degrees. */
 #define LA_JOIN_LIMIT_COSINE -0.866025f
 

@@ -34,9 +34,10 @@ static uint priority_of(__global const Segment* segments, __global const uint* a
                         const Density density) {
     const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
     const float weights[LA_KIND_COUNT] = {
-        density.priority[0], density.priority[1], density.priority[2], density.priority[3],
-        density.priority[4], density.priority[5], density.priority[6], density.priority[7],
-        density.priority[8], density.priority[9]};
+        density.priority[0], density.priority[1], density.priority[2],  density.priority[3],
+        density.priority[4], density.priority[5], density.priority[6],  density.priority[7],
+        density.priority[8], density.priority[9], density.priority[10], density.priority[11],
+        density.priority[12]};
     const uint first = i - segments[i].from_start;
     const uint units = arcs[i + segments[i].to_end + 1] - arcs[first];
     const float pixels = (float)units * (1.0f / LA_ARC_UNITS_PER_PIXEL);

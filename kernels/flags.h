@@ -14,11 +14,18 @@
 #define LA_KIND_HATCHING 7u
 #define LA_KIND_RIDGE 8u
 #define LA_KIND_VALLEY 9u
-#define LA_KIND_COUNT 10u
+#define LA_KIND_TANGENT 10u
+#define LA_KIND_CENTRE 11u
+#define LA_KIND_TRAIL 12u
+#define LA_KIND_COUNT 13u
 
 /* Kinds of line, in a kind mask: of the shape of a surface, and all that run within faces. */
 #define LA_KINDS_OF_SHAPE (1u << LA_KIND_RIDGE | 1u << LA_KIND_VALLEY)
-#define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | LA_KINDS_OF_SHAPE)
+#define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | LA_KINDS_OF_SHAPE | 1u << LA_KIND_CENTRE)
+
+/* Kinds of line that a drawing has beside its edges: none of them is ever an outline. */
+#define LA_KINDS_BESIDE                                                                            \
+    (1u << LA_KIND_FILE | 1u << LA_KIND_HATCHING | 1u << LA_KIND_CENTRE | 1u << LA_KIND_TRAIL)
 
 /* Segment.tag: the kind in the low bits, then flags. */
 #define LA_TAG_KIND_MASK 0xFu

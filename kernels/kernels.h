@@ -86,6 +86,7 @@ typedef struct ProjectClipParameters {
     float tolerance;   /* window depth that may stand before a line, times w */
     la_uint numbered;  /* 1: own faces are numbers, for probes that know surfaces */
     la_uint batched;   /* the first segments, of whose batches something is known */
+    float overhang;    /* pixels that centre lines are longer at either end */
 } ProjectClipParameters;
 #define project_clip_boxes_tables(in, out, inout, unordered) \
     in(Segment, segments) in(float, vertices) in(uint, triangles) out(Batch, batches)

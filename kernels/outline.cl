@@ -25,7 +25,7 @@
 
 static bool can_be_outline(const uint tag) {
     const uint kind = tag & LA_TAG_KIND_MASK;
-    return kind != LA_KIND_FILE && kind != LA_KIND_HATCHING;
+    return (1u << kind & LA_KINDS_BESIDE) == 0;
 }
 
 /* The way beside a segment, so many pixels to its left and infinitely far away; p[3] is 0 where

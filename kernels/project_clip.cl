@@ -110,6 +110,43 @@ static bool is_grazing(__global const Segment* segments, const uint i,
     return rise * rise < LA_GRAZING * LA_GRAZING * n2 * far2;
 }
 
+/* Whether a centre line is one of this view: an axis unless it is seen end on; a mark, whose face
+ * is square to the axis, if it is, from the side that the mark is on. */
+static bool is_centre_of_view(const uint face, const bool turned, const float3 p, const float3 q,
+                              __global const float* vertices, __global const uint* triangles,
+                              const Matrix world_from_clip) {
+    const bool is_mark = face != LA_NO_FACE;
+    const uint t = is_mark ? 3 * face : 0;
+    const float3 axis =
+        is_mark ? face_normal(vload3(triangles[t], vertices), vload3(triangles[t + 1], vertices),
+                              vload3(triangles[t + 2], vertices))
+                : q - p;
+    const float4 eye = world_from_clip.z;
+    const float3 to_eye = xyz(eye) - (p + q) * 0.5f * eye.w;
+    const float along = (axis.x * to_eye.x + axis.y * to_eye.y) + axis.z * to_eye.z;
+    const float axis2 = (axis.x * axis.x + axis.y * axis.y) + axis.z * axis.z;
+    const float far2 = (to_eye.x * to_eye.x + to_eye.y * to_eye.y) + to_eye.z * to_eye.z;
+    const bool end_on = along * along >= LA_END_ON * LA_END_ON * axis2 * far2;
+    const bool looks_away = along > 0.0f; /* `to_eye` comes from the eye: only squares hide that */
+    return is_mark ? end_on && looks_away == turned : !end_on;
+}
+
+/* The share of a segment that lies `overhang` pixels before its start, below 0, and as far behind
+ * its end, above 1. None of one that reaches behind the eye. */
+static float2 with_overhang(const float4 p, const float4 q, const float2 viewport,
+                            const float overhang) {
+    const float2 whole = float2(0.0f, 1.0f);
+    if (!(p.w > 0.0f && q.w > 0.0f)) return whole;
+    const float2 way = (xy(q) / q.w - xy(p) / p.w) * viewport * 0.5f;
+    const float length_px = sqrt(way.x * way.x + way.y * way.y);
+    if (!(length_px > 0.0f)) return whole;
+    /* Shares of the picture's line as shares of the segment: beyond the horizon there is none. */
+    const float before = -overhang / length_px, behind = 1.0f - before;
+    const float w_before = q.w - before * (q.w - p.w), w_behind = q.w - behind * (q.w - p.w);
+    return float2(w_before > 0.0f ? before * p.w / w_before : 0.0f,
+                  w_behind > 0.0f ? behind * p.w / w_behind : 1.0f);
+}
+
 /* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
  * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
  * the texture of a path must not depend on what hides it. Where nobody asks for lengths whole
@@ -124,8 +161,9 @@ KERNEL(project_clip, ProjectClipParameters) {
         const uint b = i / LA_BATCH, in_batch = i % LA_BATCH;
         const uint state = states[b];
         if (state == LA_BATCH_OUTSIDE) return;
+        const bool hangs_over = (segments[i].tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE;
         /* What a path goes on with beyond the batch needs to know where it comes from. */
-        if (state == LA_BATCH_HIDDEN &&
+        if (state == LA_BATCH_HIDDEN && !hangs_over &&
             (batches[b].joined[in_batch / 32u] >> in_batch % 32u & 1u) == 0)
             return;
     }
@@ -144,9 +182,19 @@ KERNEL(project_clip, ProjectClipParameters) {
     if (kind == LA_KIND_RIDGE &&
         is_grazing(segments, i, vertices, triangles, (from + to) * 0.5f, world_from_clip))
         return;
+    if (kind == LA_KIND_CENTRE && !is_centre_of_view(face_a, (face_b & LA_FACE_FLIPPED) != 0, from,
+                                                     to, vertices, triangles, world_from_clip))
+        return;
     const float2 viewport = to_float2(args.viewport);
-    const float4 p = transform_point(clip_from_world, from);
-    const float4 q = transform_point(clip_from_world, to);
+    float4 p = transform_point(clip_from_world, from);
+    float4 q = transform_point(clip_from_world, to);
+    const float2 whole =
+        kind == LA_KIND_CENTRE ? with_overhang(p, q, viewport, args.overhang) : float2(0.0f, 1.0f);
+    if (kind == LA_KIND_CENTRE) {
+        const float4 all = q - p;
+        q = p + all * whole.y;
+        p = p + all * whole.x;
+    }
     const float2 range = clip_to_frustum(p, q);
     const float t0 = range.x, t1 = range.y;
     if (!(t0 < t1)) return;
@@ -188,8 +236,8 @@ KERNEL(project_clip, ProjectClipParameters) {
         args.numbered != 0 && face_b != LA_NO_FACE ? numbers[face_b & LA_FACE_INDEX] : LA_NO_NUMBER;
     vstore4(cp, 0, clipped[i].p);
     vstore4(cq, 0, clipped[i].q);
-    clipped[i].t0 = t0;
-    clipped[i].t1 = t1;
+    clipped[i].t0 = whole.x + (whole.y - whole.x) * t0;
+    clipped[i].t1 = whole.x + (whole.y - whole.x) * t1;
     const uint told_a = args.numbered != 0 ? numbered_face(number_a, outside > 0.0f) : own_a;
     const uint told_b = args.numbered != 0 ? numbered_face(number_b, outside < 0.0f) : own_b;
     clipped[i].own_a = buried ? LA_OWN_BURIED : told_a;

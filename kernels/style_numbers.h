@@ -31,12 +31,12 @@ typedef struct Density {
     /** Pixels of line per pixel of the picture at most, averaged over a neighbourhood; 0: off. */
     float limit LA_BY_DEFAULT(0);
     /** Weight of each line kind (crease, boundary, material, silhouette, file, intersection,
-     * section, hatching, ridge, valley), 0 to 1: lines of more weight stay longer, then longer
-     * lines. */
+     * section, hatching, ridge, valley, tangent, centre, trail), 0 to 1: lines of more weight stay
+     * longer, then longer lines. */
 #ifdef __OPENCL_VERSION__
-    float priority[10];
+    float priority[13];
 #else
-    std::array<float, 10> priority{0.5F, 0.6F, 0.5F, 1, 1, 0.5F, 1, 0.2F, 0.3F, 0.3F};
+    std::array<float, 13> priority{0.5F, 0.6F, 0.5F, 1, 1, 0.5F, 1, 0.2F, 0.3F, 0.3F, 0.3F, 1, 1};
 #endif
 } Density;
 

@@ -58,7 +58,9 @@ KERNEL(temporal, TemporalParameters) {
         const bool follows = args.history != LA_HISTORY_NONE;
         const Places places = places_of(i, args.first, origins, positions_before);
         const uint range = ranges[places.own];
-        const uint range_now = (uint)(t0 * 65535.0f + 0.5f) | (uint)(t1 * 65535.0f + 0.5f) << 16;
+        const uint from =
+            (uint)(clamp(t0, 0.0f, 1.0f) * 65535.0f + 0.5f); /* centre lines hang over */
+        const uint range_now = from | (uint)(clamp(t1, 0.0f, 1.0f) * 65535.0f + 0.5f) << 16;
         ranges[places.own] = range_now;
         if (!follows || !places.there) continue;
         const uint s_before = offsets_before[places.before];

@@ -14,6 +14,7 @@
 #include "command_line/read_options.hpp"
 #include "command_line/values.hpp"
 #include "commands.hpp"
+#include "explode_options.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
@@ -80,7 +81,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
                                .target = parse_point("--target", given("--target")) - origin,
                                .up = parse_up("--up", given("--up")),
                                .fov_y = parse_degrees(given("--fov"))},
-                      .lines = {},
+                      .lines = {.lines = usual_line_kinds},
                       .sections = {}};
         if (const auto projection = described(drawing.description, "--projection"))
             making.view.projection = parse_projection(*projection);
@@ -123,6 +124,7 @@ void check(const CheckArguments& arguments) {
         const PartFilter parts{all_described(drawing.description, "--only"),
                                all_described(drawing.description, "--hide")};
         parts.apply(loaded);
+        ExplodeOptions{all_described(drawing.description, "--explode")}.apply(loaded);
     });
     Mesh& mesh = loaded.mesh;
     const Making making = making_of(drawing, arguments.drawing, loaded.origin);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "command_line/session_file.hpp"
+#include "style/frame_settings.hpp"
 
 namespace lineatlas::apps {
 namespace {
@@ -31,7 +32,8 @@ std::string one_word(const std::string& text) {
 } // namespace
 
 std::string describe_drawing(const CLI::App& app, const std::string& model,
-                             const std::vector<std::string>& sections, double deflection) {
+                             const std::vector<std::string>& sections, double deflection,
+                             LineKindMask lines) {
     std::string text = "draw";
     // Without its folders, which are nobody's business.
     if (!model.empty()) text += " " + one_word(std::filesystem::path{model}.filename().string());
@@ -45,6 +47,8 @@ std::string describe_drawing(const CLI::App& app, const std::string& model,
             text += fmt::format(" {}={}", name, one_word(value));
         }
     }
+    if (lines != usual_line_kinds && app.count("--lines") == 0)
+        text += " --lines=" + line_kinds_to_text(lines);
     if (deflection > 0) text += fmt::format(" --deflection={}", shortest(deflection));
     return text;
 }

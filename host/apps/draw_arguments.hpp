@@ -11,6 +11,7 @@
 #include "command_line/setting_options.hpp"
 #include "command_line/style_options.hpp"
 #include "command_line/view_options.hpp"
+#include "explode_options.hpp"
 #include "lineatlas/lines.hpp"
 #include "path_options.hpp"
 #include "picture_options.hpp"
@@ -39,6 +40,7 @@ struct DrawArguments {
     StyleOptions style;
     ReadOptions read;
     PartFilter parts;
+    ExplodeOptions explode;
     SequenceOptions sequence;
     PictureOptions picture;
     PathOptions paths;

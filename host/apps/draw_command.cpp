@@ -61,6 +61,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     if (arguments.models.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    arguments.explode.explosion();
     if (!arguments.scene.empty() && arguments.parts.given())
         throw UsageError("--only and --hide are for the parts of a MODEL file");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
@@ -129,7 +130,8 @@ struct Measuring {
 
 void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measuring = nullptr) {
     const DrawArguments& arguments = drawing.arguments;
-    EmptyFrames output{to, drawing.subject.lines, drawing.options.lines};
+    EmptyFrames output{to, drawing.subject.lines,
+                       drawn_kinds(drawing.options.lines, drawing.options.style)};
     const auto say_if_empty = [&] {
         if (const std::string report = output.report(); !report.empty())
             print_error(fmt::format("lineatlas: {}\n", report));
@@ -257,12 +259,13 @@ void draw_without_gl(const Drawing& drawing) {
     DeviceOptions device = drawing.arguments.device;
     device.one_picture = !drawing.frames;
     LineVisibility visibility{drawing.subject.lines, device};
-    VisibilityOptions wanted{.lines = drawing.options.lines,
+    VisibilityOptions wanted{.lines = drawn_kinds(drawing.options.lines, drawing.options.style),
                              .hidden = true,
                              .step = drawing.options.step,
                              .outlines = tells_outlines(drawing.options.style)};
     const auto find = [&](const Camera& camera) -> SeenLines {
         wanted.outline_depth = outline_depth(drawing.options.style, camera.size);
+        wanted.centre_overhang = centre_overhang(drawing.options.style, camera.size);
         std::vector<Interval> intervals = visibility.find(camera, wanted);
         return {std::move(intervals), visibility.outlines()};
     };
@@ -319,7 +322,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 
-    auto [subject, frames] = find_pictures(arguments, options.lines, size);
+    auto [subject, frames] = find_pictures(arguments, drawn_kinds(options.lines, style), size);
     print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     if (!by_paths) forget_sources(subject);
@@ -334,7 +337,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Drawing drawing{
         arguments,
         describe_drawing(app, arguments.session.empty() ? arguments.model : arguments.session,
-                         subject.sections, subject.deflection),
+                         subject.sections, subject.deflection,
+                         drawn_kinds(options.lines, options.style)),
         subject,
         size,
         options,
@@ -399,6 +403,7 @@ Command setup_draw(CLI::App& app) {
                  "With STEP, IGES and BREP files also draw edges where faces meet smoothly")
         ->group(model);
     a.parts.declare(app, model);
+    a.explode.declare(app, model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
     app.add_option("--size", a.size, "Picture size in pixels")

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "core/empty_drawing.hpp"
 #include "core/line_pens.hpp"
 #include "description.hpp"
+#include "flags.h"
 #include "io/standard_streams.hpp"
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
@@ -22,6 +26,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// To a thousandth of a millimetre.
+Json list(glm::dvec2 v) {
+    const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
+    return {thousandths(v.x), thousandths(v.y)};
+}
+
 /// Of a picture whose resolution nobody says: thin lines are a pixel and a half wide.
 constexpr float usual_dpi = 150;
 
@@ -34,6 +44,7 @@ class Finder {
 
     SeenLines find(const Camera& camera) {
         wanted_.outline_depth = outline_depth(style_, camera.size);
+        wanted_.centre_overhang = centre_overhang(style_, camera.size);
         std::vector<Interval> intervals = visibility_.find(camera, wanted_);
         return {std::move(intervals), visibility_.outlines()};
     }
@@ -50,7 +61,7 @@ VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet
     const Style style = style_of_view(options.style, sheet.layout.views.front());
     Finder finder{arguments,
                   subject.lines,
-                  {.lines = options.lines,
+                  {.lines = drawn_kinds(options.lines, options.style),
                    .hidden = true,
                    .step = options.step,
                    .outlines = tells_outlines(style)},
@@ -88,7 +99,8 @@ OutputPlaces output_places(const DrawArguments& arguments) {
 std::string description_of(const DrawArguments& arguments, const CLI::App& app,
                            const Subject& subject) {
     const std::string& model = arguments.session.empty() ? arguments.model : arguments.session;
-    std::string text = describe_drawing(app, model, subject.sections, subject.deflection);
+    std::string text = describe_drawing(app, model, subject.sections, subject.deflection,
+                                        subject.line_options.lines);
     for (const char* option : {"--up", "--projection", "--unit"})
         if (app.count(option) > 0)
             text += fmt::format(" {}={}", option, app[option]->as<std::string>());
@@ -105,14 +117,50 @@ SheetWriting writing_of(const DrawArguments& arguments, const CLI::App& app,
             .description = description_of(arguments, app, subject)};
 }
 
+/// The middle of the longest straight piece of a visible line of a part.
+struct BalloonPlace {
+    double length = 0;
+    glm::dvec2 at{0}; ///< pixels of the view
+};
+
+void take_longer(const VectorPath& path, const std::vector<std::uint32_t>& items,
+                 std::map<std::uint32_t, BalloonPlace>& places) {
+    for (const VectorPiece& piece : path.pieces) {
+        if (piece.source.triangle >= items.size()) continue;
+        const glm::dvec2 from = path.points[piece.point].at, to = path.points[piece.point + 1].at;
+        const double share = static_cast<double>(piece.to) - static_cast<double>(piece.from);
+        const double middle =
+            0.5 * (static_cast<double>(piece.from) + static_cast<double>(piece.to));
+        BalloonPlace& best = places[items[piece.source.triangle]];
+        const double length = share * glm::distance(from, to);
+        if (length > best.length) best = {length, glm::mix(from, to, middle)};
+    }
+}
+
+/// Where a leader to a part may end, by the numbers of the parts list; of what is seen of them.
+Json balloons_of(const VectorDrawing& drawing, const SheetView& view,
+                 const std::vector<std::uint32_t>& items) {
+    constexpr LineKindMask beside = LA_KINDS_BESIDE;
+    std::map<std::uint32_t, BalloonPlace> places;
+    for (const VectorPath& path : drawing.paths)
+        if (path.visible && (mask_of(path.kind) & beside) == 0) take_longer(path, items, places);
+    Json balloons = Json::array();
+    for (const auto& [item, place] : places)
+        balloons.push_back({{"item", item}, {"at", list(view.corner + view.scale * place.at)}});
+    return balloons;
+}
+
 /// The model, and where on the page each view of it stands, in millimetres.
 Json summary_of(const Subject& subject, const VectorSheet& sheet) {
     const SheetLayout& layout = sheet.layout;
-    const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
-    const auto list = [&](glm::dvec2 v) { return Json{thousandths(v.x), thousandths(v.y)}; };
     Json views = Json::array();
-    for (const SheetView& view : layout.views)
-        views.push_back({{"name", view.name}, {"low", list(view.low)}, {"high", list(view.high)}});
+    for (std::size_t i = 0; i < layout.views.size(); ++i) {
+        const SheetView& view = layout.views[i];
+        views.push_back({{"name", view.name},
+                         {"low", list(view.low)},
+                         {"high", list(view.high)},
+                         {"balloons", balloons_of(sheet.drawings[i], view, subject.items)}});
+    }
     Json summary = subject.summary;
     summary["size_mm"] = {sheet.model_size.x, sheet.model_size.y, sheet.model_size.z};
     Json& notes = summary["notes"];
@@ -131,13 +179,14 @@ void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
     options.style = arguments.style.style();
     output_places(arguments);
 
-    const SheetSubject sheet = find_sheet(arguments, options.lines);
+    const LineKindMask kinds = drawn_kinds(options.lines, options.style);
+    const SheetSubject sheet = find_sheet(arguments, kinds);
     const Subject& subject = sheet.subject;
     print_notes(subject.notes);
     if (!options.style.pens.empty())
         print_notes(idle_rules(line_classes(subject.lines), options.style));
     const VectorSheet drawn = find_views(arguments, sheet, options);
-    say_if_empty(drawn, subject, options.lines);
+    say_if_empty(drawn, subject, kinds);
     say_what_is_thinned(drawn);
     ImageSettings picture = arguments.picture.settings();
     if (picture.dpi == 0) picture.dpi = usual_dpi;

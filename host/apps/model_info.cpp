@@ -155,13 +155,32 @@ void add_notes_of_volume(const Json& volume, std::vector<std::string>& notes) {
         notes.push_back("the surface is turned inside out, so its volume is negative");
 }
 
+/// Per path of the model's parts.
+std::vector<std::uint32_t> items_of(const LoadedMesh& loaded, const PartPaths& paths) {
+    std::vector<std::uint32_t> items(paths.paths.size(), 0);
+    std::uint32_t last = 0;
+    if (loaded.parts.empty()) {
+        for (std::uint32_t& item : items) item = ++last;
+        return items;
+    }
+    std::map<std::uint32_t, std::uint32_t> known; // by shape
+    for (const ModelPart& part : loaded.parts) {
+        if (part.object >= items.size()) continue;
+        const bool is_shared = part.shape != ModelPart::none && known.contains(part.shape);
+        items[part.object] = is_shared ? known[part.shape] : ++last;
+        if (part.shape != ModelPart::none) known[part.shape] = items[part.object];
+    }
+    return items;
+}
+
 Json parts_of(const LoadedMesh& loaded, const Materials& materials) {
     const PartPaths paths = part_paths(loaded);
+    const std::vector<std::uint32_t> items = items_of(loaded, paths);
     const std::vector<Counts> counts = count_parts(loaded, paths, materials);
     Json parts = Json::array();
     if (loaded.parts.empty()) {
         for (std::size_t i = 0; i < paths.paths.size(); ++i) {
-            Json part{{"name", paths.paths[i].whole()}, {"parent", nullptr}};
+            Json part{{"name", paths.paths[i].whole()}, {"parent", nullptr}, {"item", items[i]}};
             put_into(part, loaded, counts[i]);
             parts.push_back(std::move(part));
         }
@@ -171,6 +190,7 @@ Json parts_of(const LoadedMesh& loaded, const Materials& materials) {
         Json part{{"name", each.name}, {"parent", nullptr}};
         if (each.parent != ModelPart::none) part["parent"] = each.parent;
         if (each.shape != ModelPart::none) part["shape"] = each.shape;
+        if (each.object < items.size()) part["item"] = items[each.object];
         if (each.object < counts.size()) put_into(part, loaded, counts[each.object]);
         parts.push_back(std::move(part));
     }
@@ -224,6 +244,15 @@ Json describe_model(const std::string& file, const LoadedMesh& loaded, const Lin
     if (!mesh.triangles.empty()) add_notes_of_volume(info["volume"], notes);
     info["notes"] = notes;
     return info;
+}
+
+std::vector<std::uint32_t> item_numbers(const LoadedMesh& loaded) {
+    const PartPaths paths = part_paths(loaded);
+    const std::vector<std::uint32_t> items = items_of(loaded, paths);
+    std::vector<std::uint32_t> result;
+    result.reserve(paths.of_triangle.size());
+    for (const std::uint32_t part : paths.of_triangle) result.push_back(items[part]);
+    return result;
 }
 
 std::string to_text(const Json& info) {

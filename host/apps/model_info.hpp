@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +16,12 @@ namespace lineatlas::apps {
 nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded,
                                       const LineSet& lines);
 
-/// The same as text for people: a line for the file, and one for each part of its tree.
+/// Per triangle of the mesh the number that its part has in the parts list, and on balloons: from 1
+/// on in the order of the parts, one for all instances of a shape.
+std::vector<std::uint32_t> item_numbers(const LoadedMesh& loaded);
+
+/// What describe_model() says as text for people: a line for the file, and one for each part of its
+/// tree.
 std::string to_text(const nlohmann::ordered_json& info);
 
 } // namespace lineatlas::apps

@@ -30,7 +30,7 @@ void SectionOptions::declare(CLI::App& app, const std::string& group) {
         ->group(group);
     app.add_option("--hatching", hatching_,
                    "Lines on faces of cuts: SPACING or SPACING,DEGREES in the model's unit, or "
-                   "none; by default a fortieth of the model apart and at 45 degrees")
+                   "none; by default a fortieth of the cut apart and at 45 degrees")
         ->group(group);
 }
 

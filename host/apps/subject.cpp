@@ -92,6 +92,9 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                               .silhouettes = silhouettes(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
+        LoadedMesh apart{.mesh = std::move(scene.mesh)};
+        arguments.explode.apply(apart);
+        scene.mesh = std::move(apart.mesh);
         std::vector<std::string> notes;
         const View whole =
             arguments.view.says_direction()
@@ -105,10 +108,12 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
             framed ? arguments.view.framed(lines.vertices, size, up) : scene.view(arguments.at);
         std::vector<glm::vec3> points = lines.vertices;
         nlohmann::ordered_json summary;
+        std::vector<std::uint32_t> items;
         if (arguments.sheet.wants_summary(arguments.view)) {
             const LoadedMesh loaded{
                 .mesh = scene.mesh, .notes = notes, .format = "scene", .up = up};
             summary = describe_model(scene.name, loaded, lines);
+            items = item_numbers(loaded);
         }
         return {.name = scene.name,
                 .mesh = std::move(scene.mesh),
@@ -119,20 +124,25 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .up = up,
                 .sections = std::move(sections),
                 .notes = std::move(notes),
-                .summary = std::move(summary)};
+                .summary = std::move(summary),
+                .items = std::move(items)};
     }
     LoadedMesh loaded = load_models_isolated(
         arguments.models, arguments.read.limits(),
         {.deflection = deflection, .pixels = pixels_of_diagonal(arguments.view, size)});
     arguments.parts.apply(loaded);
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
+    arguments.explode.apply(loaded);
     std::vector<std::string> sections =
         cut(arguments, loaded.mesh, loaded.origin,
             arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
     LineSet lines = extract_lines(loaded.mesh, options);
     nlohmann::ordered_json summary;
-    if (arguments.sheet.wants_summary(arguments.view))
+    std::vector<std::uint32_t> items;
+    if (arguments.sheet.wants_summary(arguments.view)) {
         summary = describe_model(arguments.models.front().string(), loaded, lines);
+        items = item_numbers(loaded);
+    }
     Subject subject{.name = arguments.models.front().string(),
                     .mesh = std::move(loaded.mesh),
                     .lines = std::move(lines),
@@ -144,7 +154,8 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                     .unit = loaded.unit,
                     .sections = std::move(sections),
                     .deflection = loaded.deflection,
-                    .summary = std::move(summary)};
+                    .summary = std::move(summary),
+                    .items = std::move(items)};
     add_notes(subject.lines.odd, loaded.notes);
     const std::optional<FarPart> far = find_far_part(subject.lines);
     const bool frames = !arguments.view.places_eye() && arguments.sequence.camera_path().empty();

@@ -25,7 +25,8 @@ struct Subject {
     std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
     double deflection = 0;               ///< of exact surfaces; else 0
     std::vector<std::string> notes{};
-    nlohmann::ordered_json summary{}; ///< as describe_model() has it, if the sheet wants one
+    nlohmann::ordered_json summary{};   ///< as describe_model() has it, if the sheet wants one
+    std::vector<std::uint32_t> items{}; ///< then item_numbers()
 };
 
 /// What is drawn, and the pictures of it.

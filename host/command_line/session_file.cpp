@@ -30,9 +30,9 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// Beside frame_settings(), options that say what is drawn and how; none names a file that is
 /// written.
-constexpr std::array<std::string_view, 9> other_options{"size",         "crease",     "silhouettes",
-                                                        "smooth-edges", "deflection", "only",
-                                                        "hide",         "section",    "hatching"};
+constexpr std::array<std::string_view, 10> other_options{
+    "size", "crease", "silhouettes", "smooth-edges", "deflection",
+    "only", "hide",   "explode",     "section",      "hatching"};
 
 bool is_option(std::string_view key) {
     return std::ranges::find(other_options, key) != other_options.end() ||

@@ -73,7 +73,7 @@ float length_scale(const Style& style, glm::ivec2 size) {
 } // namespace
 
 bool can_be_outline(LineKind kind) {
-    return kind != LineKind::file && kind != LineKind::section && kind != LineKind::hatching;
+    return kind != LineKind::section && (mask_of(kind) & LA_KINDS_BESIDE) == 0;
 }
 
 void LineClasses::update(const LineSet& lines, std::uint32_t first, std::uint32_t count) {
@@ -188,6 +188,14 @@ float outline_depth(const Style& style, glm::ivec2 size) {
         widest = std::max(widest, rule.width_factor ? style.pen.width * *rule.width_factor : width);
     }
     return 2 * widest * length_scale(style, size);
+}
+
+LineKindMask drawn_kinds(std::optional<LineKindMask> asked, const Style& style) {
+    return asked.value_or(usual_line_kinds | style.more_lines);
+}
+
+float centre_overhang(const Style& style, glm::ivec2 size) {
+    return style.centre_overhang * length_scale(style, size);
 }
 
 std::vector<std::string> idle_rules(const LineClasses& classes, const Style& style) {

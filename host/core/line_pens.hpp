@@ -46,9 +46,9 @@ struct LinePens {
     std::vector<Pen> hidden; ///< of hidden lines, likewise
     /// Per class, into `pens`.
     struct OfClass {
-        std::uint32_t inner;
-        std::uint32_t outline; ///< of what is beside the background
-        std::uint32_t hidden;  ///< into `hidden`
+        std::uint32_t inner = 0;
+        std::uint32_t outline = 0; ///< of what is beside the background
+        std::uint32_t hidden = 0;  ///< into `hidden`
         bool operator==(const OfClass&) const = default;
     };
     std::vector<OfClass> of_class;
@@ -71,6 +71,12 @@ bool tells_outlines(const Style& style);
 /// How deep a body must be behind its outline, in pixels of a picture of this size, or the outline
 /// is drawn as an inner line is: twice the widest pen that a rule gives to outlines.
 float outline_depth(const Style& style, glm::ivec2 size);
+
+/// The kinds of line that a drawing has: those asked for, or else the usual ones and the style's.
+LineKindMask drawn_kinds(std::optional<LineKindMask> asked, const Style& style);
+
+/// Pixels that centre lines are longer at either end in a picture of this size.
+float centre_overhang(const Style& style, glm::ivec2 size);
 
 /// Of every rule that is for no object or material of these lines, what it asks for and what there
 /// is, as a line for people.

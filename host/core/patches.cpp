@@ -56,7 +56,8 @@ std::vector<std::uint32_t> smooth_patches(std::span<const glm::uvec3> triangles,
     std::vector<std::uint64_t> parted;  // pairs of triangles
     for (const Segment& segment : segments) {
         const std::uint32_t kind = segment.tag & LA_TAG_KIND_MASK;
-        if (kind == LA_KIND_SILHOUETTE || (1U << kind & LA_KINDS_WITHIN) != 0) continue;
+        const bool goes_on = kind == LA_KIND_SILHOUETTE || kind == LA_KIND_TANGENT;
+        if (goes_on || (1U << kind & LA_KINDS_WITHIN) != 0) continue;
         borders.push_back(pair_key(segment.p, segment.q));
         // A part of an edge has other ends than the edge.
         if (segment.face_b != LA_NO_FACE)

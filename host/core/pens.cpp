@@ -18,6 +18,7 @@ constexpr std::array names{
     PenName{"brush", "bristles that leave streaks as they run dry"},
     PenName{"dashed", "dashes of six widths, gaps of three"},
     PenName{"dotted", "round dots, a width and a half between them"},
+    PenName{"chain", "dashes of 24 widths with dots between, gaps of three (ISO 128-2)"},
 };
 
 std::uint32_t hash(std::uint32_t x, std::uint32_t y) {
@@ -145,17 +146,19 @@ float brush(float x, float y, float width) {
     return (0.5F + inside) * std::lerp(1.0F, wet, std::clamp(width / 6, 0.3F, 1.0F));
 }
 
-/// One dash in the middle of its period.
+/// One dash in the middle of its period; a dot between dashes at its ends.
 PenMark paint_dashes(const DashLengths& dashes, float width) {
     const float unit = std::max(1.0F, width);
-    const float period = dashes.dash + dashes.gap;
+    const float period = dashes.dash + dashes.gap + (dashes.dot > 0 ? dashes.dot + dashes.gap : 0);
     const int unit_columns = std::clamp(static_cast<int>(std::ceil(width)), 8, 256);
     constexpr float rounding = 0.25F; // columns
     const int columns =
         static_cast<int>(period / unit * static_cast<float>(unit_columns) + rounding);
     return paint(columns, period, width, [&](float x, float y) {
         const float from_middle = std::abs(x - 0.5F * period);
-        if (!dashes.round) return 0.5F + 0.5F * dashes.dash - from_middle;
+        const float in_dash = 0.5F * dashes.dash - from_middle;
+        const float in_dot = from_middle - 0.5F * (period - dashes.dot); // half of it at either end
+        if (!dashes.round) return 0.5F + (dashes.dot > 0 ? std::max(in_dash, in_dot) : in_dash);
         return 0.5F + 0.5F * unit - std::hypot(std::max(0.0F, from_middle - 0.5F * dashes.dash), y);
     });
 }
@@ -170,6 +173,8 @@ std::optional<DashLengths> dash_lengths(std::string_view name, float width) {
     const float unit = std::max(1.0F, width);
     if (name == "dashed") return DashLengths{.dash = 6 * unit, .gap = 3 * unit, .round = false};
     if (name == "dotted") return DashLengths{.dash = 0, .gap = 2.5F * unit, .round = true};
+    if (name == "chain")
+        return DashLengths{.dash = 24 * unit, .gap = 3 * unit, .round = false, .dot = 0.5F * unit};
     return {};
 }
 

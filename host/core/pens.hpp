@@ -35,6 +35,7 @@ PenMark make_pen(std::string_view name, float width);
 struct DashLengths {
     float dash, gap; ///< a round dash reaches beyond both of its ends by half the stroke's width
     bool round;
+    float dot = 0; ///< above 0: a short dash between two gaps
 };
 
 /// Of the built-in marks that are dashed; nothing for every other name.

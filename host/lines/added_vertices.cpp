@@ -25,12 +25,21 @@ std::uint32_t AddedVertices::at(std::uint32_t from, std::uint32_t to, double sha
     if (share <= 0) return from;
     if (share >= 1) return to;
     const glm::vec3 position = glm::vec3{p + (q - p) * share} + 0.0F; // -0 becomes 0
+    return add({position, object_of(from)},
+               {.vertex = 0, .from = from, .to = to, .share = static_cast<float>(share)});
+}
+
+std::uint32_t AddedVertices::beside(std::uint32_t vertex, glm::vec3 position) {
+    return add({position + 0.0F, object_of(vertex)},
+               {.vertex = 0, .from = vertex, .to = vertex, .share = 0});
+}
+
+std::uint32_t AddedVertices::add(const Place& place, const CutVertex& cut) {
     const auto fresh = static_cast<std::uint32_t>(places_.size());
-    const Place place{position, object_of(from)};
     const auto [known, is_new] = known_.emplace(place, fresh);
     if (is_new) {
         places_.push_back(place);
-        cuts_.push_back({.vertex = 0, .from = from, .to = to, .share = static_cast<float>(share)});
+        cuts_.push_back(cut);
     }
     return static_cast<std::uint32_t>(mesh_.vertices.size()) + known->second;
 }
@@ -68,7 +77,7 @@ std::vector<std::uint32_t> AddedVertices::insert() {
             number[count + i] = cut.vertex = static_cast<std::uint32_t>(vertices.size());
             vertices.push_back(places_[i].position);
             sources.push_back(mesh.vertex_sources[cut.share < 0.5F ? cut.from : cut.to]);
-            cuts.push_back(cut);
+            if (cut.from != cut.to) cuts.push_back(cut);
         }
         mesh.object_ends[object] = static_cast<std::uint32_t>(vertices.size());
     }

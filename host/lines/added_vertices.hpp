@@ -11,7 +11,7 @@
 
 namespace lineatlas {
 
-/// Vertices where lines begin or end within an edge of the mesh.
+/// Vertices where lines begin or end that run along no edge of the mesh.
 class AddedVertices {
   public:
     /// The mesh must outlive it, and is changed by insert() alone.
@@ -20,6 +20,10 @@ class AddedVertices {
     /// A number for the vertex at `share` of the way between two of the mesh, which are of one
     /// object; the same for the same place.
     std::uint32_t at(std::uint32_t from, std::uint32_t to, double share);
+
+    /// A number for a place that is on no edge, in the object of a vertex of the mesh: it comes
+    /// from where that does (LineSet::vertex_sources).
+    std::uint32_t beside(std::uint32_t vertex, glm::vec3 position);
 
     /// Puts them into the mesh, each behind the vertices of its object; one that lies where the
     /// mesh has a vertex becomes that. Returns the new number of every vertex, those added last.
@@ -39,10 +43,11 @@ class AddedVertices {
     };
 
     std::uint32_t object_of(std::uint32_t vertex) const;
+    std::uint32_t add(const Place& place, const CutVertex& cut);
 
     WeldedMesh& mesh_;
     std::vector<Place> places_;
-    std::vector<CutVertex> cuts_;
+    std::vector<CutVertex> cuts_; ///< of a place on no edge both ends are one
     std::unordered_map<Place, std::uint32_t, PlaceHash> known_; ///< into places_
 };
 

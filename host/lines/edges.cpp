@@ -278,11 +278,10 @@ std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, d
         return wanted(LineKind::boundary) ? std::optional{LineKind::boundary} : std::nullopt;
     }
     const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
-    if (wanted(LineKind::material) && mesh.triangle_group[edge.face_a] != mesh.triangle_group[b]) {
-        return LineKind::material;
-    }
     if (wanted(LineKind::crease) && bend > options.crease.value_or(least_crease_angle))
         return LineKind::crease;
+    if (wanted(LineKind::material) && mesh.triangle_group[edge.face_a] != mesh.triangle_group[b])
+        return LineKind::material;
     if (wanted(LineKind::silhouette) && bend > coplanar_angle) return LineKind::silhouette;
     return std::nullopt;
 }

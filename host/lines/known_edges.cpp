@@ -51,6 +51,12 @@ KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
     }
 }
 
+bool KnownEdges::smooth(const MeshEdge& edge) const {
+    if (kinds_.empty()) return false;
+    const auto found = kinds_.find(pair_key(edge.p, edge.q));
+    return found != kinds_.end() && found->second == KnownEdge::Kind::smooth;
+}
+
 bool KnownEdges::drawn(const MeshEdge& edge) const {
     if (kinds_.empty()) return false;
     const auto found = kinds_.find(pair_key(edge.p, edge.q));
@@ -68,13 +74,8 @@ std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedM
         is_crease(kind) || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
     if (is_line && (options.lines & mask_of(LineKind::crease)) != 0) {
         // Faces of other parts in the same place make no boundary of it.
-        if (edge.face_count >= 2 || (options.lines & mask_of(LineKind::boundary)) == 0) {
-            const std::uint32_t b = edge.face_b & LA_FACE_INDEX;
-            const bool material = edge.face_count == 2 &&
-                                  (options.lines & mask_of(LineKind::material)) != 0 &&
-                                  mesh.triangle_group[edge.face_a] != mesh.triangle_group[b];
-            return material ? LineKind::material : LineKind::crease;
-        }
+        if (edge.face_count >= 2 || (options.lines & mask_of(LineKind::boundary)) == 0)
+            return LineKind::crease;
     }
     if (kind == KnownEdge::Kind::free) seen.face_count = 1;
     // Where parts touch, a triangle may stand for two, or an edge be of four: a face that goes on

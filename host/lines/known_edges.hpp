@@ -22,6 +22,9 @@ class KnownEdges {
     /// Whether the file says of every edge what it is; what it does not name is within a face.
     bool all() const { return all_; }
 
+    /// Whether faces go over into each other there.
+    bool smooth(const MeshEdge& edge) const;
+
     /// Whether the edge is a line however little it is bent.
     bool drawn(const MeshEdge& edge) const;
 

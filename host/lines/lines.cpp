@@ -17,6 +17,7 @@
 #include "added_vertices.hpp"
 #include "base/parallel.hpp"
 #include "buried_faces.hpp"
+#include "centre_lines.hpp"
 #include "contours.hpp"
 #include "core/host_clock.hpp"
 #include "core/pair_key.hpp"
@@ -33,6 +34,7 @@
 #include "parts.hpp"
 #include "ridges.hpp"
 #include "seams.hpp"
+#include "surface/round_surface.hpp"
 #include "t_junctions.hpp"
 #include "triangle_tree.hpp"
 #include "weld.hpp"
@@ -53,6 +55,8 @@ LineKind kind_of(PolylineKind kind) {
         return LineKind::section;
     case PolylineKind::hatching:
         return LineKind::hatching;
+    case PolylineKind::trail:
+        return LineKind::trail;
     case PolylineKind::file:
         break;
     }
@@ -191,6 +195,8 @@ class Extraction {
         reach(0.8F);
         add_intersections();
         add_ridges();
+        add_tangents();
+        add_centres();
         reach(0.9F);
         LineSet result = assemble();
         reach(1);
@@ -232,6 +238,7 @@ class Extraction {
                             : classify(edges_[i], welded_, bends_[i], options_);
         });
         leave_out_joints();
+        find_tangents(known);
         if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
         const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
@@ -253,6 +260,44 @@ class Extraction {
                 material[edge.face_a] == material[edge.face_b & LA_FACE_INDEX])
                 kinds_[i].reset();
         }
+    }
+
+    void find_plain_shapes() {
+        if (plain_shapes_.empty())
+            for (const SurfaceShape& shape : mesh_.surfaces.shapes)
+                plain_shapes_.push_back(plain_shape(shape));
+    }
+
+    /// Edges that are lines besides, whatever else they are: silhouettes run there in other views.
+    void find_tangents(const KnownEdges& known) {
+        if (!wanted(LineKind::tangent) || options_.smooth_edges || mesh_.known_edges.empty())
+            return;
+        find_plain_shapes();
+        const double tolerance = 3e-7 * diagonal_of(welded_.vertices);
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            if (edges_[i].face_count == 2 && known.smooth(edges_[i]) &&
+                !is_of_one_surface(edges_[i], tolerance))
+                tangents_.push_back(i);
+    }
+
+    /// Whether the surface beside an edge goes on beyond it: a file may cut a cylinder in two.
+    bool is_of_one_surface(const MeshEdge& edge, double tolerance) const {
+        const std::uint32_t a = edge.face_a, b = edge.face_b & LA_FACE_INDEX;
+        return lies_on_surface_of(a, b, tolerance) && lies_on_surface_of(b, a, tolerance);
+    }
+
+    /// Whether a face lies on the surface of another.
+    bool lies_on_surface_of(std::uint32_t face, std::uint32_t other, double tolerance) const {
+        const KnownSurfaces& known = mesh_.surfaces;
+        if (known.empty()) return false;
+        const std::uint32_t surface = known.of_triangle[welded_.triangle_source[other]];
+        if (surface == KnownSurfaces::none) return false;
+        const PlacedSurface& placed = known.surfaces[surface];
+        for (int k = 0; k < 3; ++k)
+            if (!holds_place(plain_shapes_[placed.shape], placed,
+                             welded_.vertices[welded_.triangles[face][k]], tolerance))
+                return false;
+        return true;
     }
 
     /// Nothing passes through, or abuts on, a body that is closed and alone.
@@ -343,13 +388,15 @@ class Extraction {
         }
     }
 
-    Line line_of(std::uint32_t i) const {
+    Line line_of(std::uint32_t i) const { return line_of(i, *kinds_[i]); }
+
+    Line line_of(std::uint32_t i, LineKind kind) const {
         const MeshEdge& edge = edges_[i];
         return {.p = edge.p,
                 .q = edge.q,
                 .face_a = edge.face_a,
                 .face_b = edge.face_b,
-                .kind = *kinds_[i],
+                .kind = kind,
                 .source = triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
     }
 
@@ -512,6 +559,29 @@ class Extraction {
                               .source = {.triangle = welded_.triangle_source[ridge.faces[i]]}});
     }
 
+    void add_tangents() {
+        for (const std::uint32_t i : tangents_) {
+            if ((kinds_[i] && *kinds_[i] != LineKind::silhouette) || polyline_of(i) != nullptr)
+                continue;
+            fixed_.push_back(line_of(i, LineKind::tangent));
+        }
+    }
+
+    void add_centres() {
+        if (!wanted(LineKind::centre)) return;
+        const std::int64_t start = host_nanoseconds();
+        find_plain_shapes();
+        for (const CentreLine& line : find_centre_lines(welded_, edges_, normals_, mesh_.surfaces,
+                                                        plain_shapes_, objects_of(welded_)))
+            fixed_.push_back({.p = added_.beside(line.vertex, line.p),
+                              .q = added_.beside(line.vertex, line.q),
+                              .face_a = line.face,
+                              .face_b = line.is_turned ? line.face | LA_FACE_FLIPPED : line.face,
+                              .kind = LineKind::centre,
+                              .source = {.triangle = line.source}});
+        times_.centres = milliseconds_since(start);
+    }
+
     /// Vertices have their last numbers now; what has become a point by it, or stands twice, goes:
     /// an edge that is a line in every frame is no candidate besides. `replaced_` never are lines,
     /// whatever else stands there.
@@ -530,6 +600,7 @@ class Extraction {
         std::unordered_set<std::uint64_t> known;
         const auto goes = [&](const Line& line) {
             if (line.p == line.q) return true;
+            if (line.kind == LineKind::tangent) return false; // whatever else its edge is
             return !is_met.empty() && is_met[line.p] && is_met[line.q] &&
                    !known.insert(pair_key(line.p, line.q)).second;
         };
@@ -612,6 +683,8 @@ class Extraction {
     std::vector<glm::dvec3> normals_;
     std::vector<double> bends_;                  ///< of edges
     std::vector<std::optional<LineKind>> kinds_; ///< nothing: never a line
+    std::vector<std::uint32_t> tangents_;        ///< edges
+    std::vector<SurfaceShape> plain_shapes_;     ///< per KnownSurfaces::shapes
     MeshParts parts_;
     std::vector<bool> is_open_; ///< parts
     bool has_parts_ = false;

@@ -13,6 +13,7 @@
 #include "vector/check_drawing.hpp"
 #include "vector/line_groups.hpp"
 #include "vector/outline.hpp"
+#include "vector/paths.hpp"
 #include "vector/pen_stroke.hpp"
 #include "vector/sheet_writing.hpp"
 #include "vector/xml_text.hpp"
@@ -82,11 +83,12 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcCho
                          .join = join_of(stroke.join),
                          .mitre_limit = stroke.mitre_limit,
                          .round_caps = stroke.round,
-                         .dashes = {},
+                         .dashes = stroke.dashes,
                          .ways = {}};
-    if (stroke.dashes) strokes.dashes = {stroke.dashes->dash, stroke.dashes->gap};
-    for (const VectorPath& path : group.paths)
+    for (const VectorPath& path : group.paths) {
         strokes.ways.push_back(way_of(outline_of(path, sheet, arcs)));
+        strokes.ways.back().dash_offset = dash_offset(stroke, sheet.scale * length_of(path));
+    }
     return strokes;
 }
 

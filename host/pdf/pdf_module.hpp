@@ -27,6 +27,7 @@ struct Way {
     glm::dvec2 start{0};
     std::vector<Step> steps;
     bool closed = false;
+    double dash_offset = 0; ///< how much of the pattern of dashes it leaves out at its start
 };
 
 enum class Join { mitre, round, bevel };

@@ -114,7 +114,7 @@ void AtlasMethod::keep_chunk(Frame& frame) {
 void AtlasMethod::find_silhouettes(Frame& frame) {
     temporal_.begin_frame(frame);
     chains_.follow(temporal_.positions_before());
-    const bool wanted = (frame.options.lines & mask_of(LineKind::silhouette)) != 0;
+    const bool wanted = (frame.kinds() & mask_of(LineKind::silhouette)) != 0;
     frame.scene.set_order(chains_.table_of(
         frame.scene.candidate_table(), wanted,
         compute::silhouette_view(frame.camera, frame.scene.bounds()), frame.clock));
@@ -152,11 +152,12 @@ void AtlasMethod::project(Frame& frame) {
             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
             .viewport = frame.viewport(),
             .step = frame.options.step,
-            .kind_mask = frame.options.lines,
+            .kind_mask = frame.kinds(),
             .occlusion = cull_hidden_ ? &occlusion : nullptr,
             .out = clipped_table(),
             .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr,
-            .batches = batches ? &*batches : nullptr};
+            .batches = batches ? &*batches : nullptr,
+            .centre_overhang = frame.options.style.centre_overhang};
         if (batches) {
             const bool drops_hidden = cull_hidden_ && frame.knows_surfaces() && !keeps_intervals_ &&
                                       !strokes_.measures_lines(frame);

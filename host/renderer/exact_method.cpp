@@ -29,8 +29,9 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     const LineView view{.camera = frame.camera,
                         .bounds = frame.scene.bounds(),
                         .contact = frame.scene.contact(),
-                        .lines = frame.options.lines,
+                        .lines = frame.kinds(),
                         .step = frame.options.step,
+                        .centre_overhang = frame.options.style.centre_overhang,
                         .measured = IntervalStage::wanted(frame) || strokes_.measures_lines(frame),
                         .tracer = frame.scene.tables().moving ? nullptr
                                                               : frame.scene.tables().tracer.get()};

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/limits.hpp"
+#include "core/line_pens.hpp"
 #include "core/standard_camera.hpp"
 #include "core/tiles.hpp"
 #include "glpasses/atlas_pass.hpp"
@@ -34,6 +35,8 @@ struct Frame {
     glm::mat4 clip_of_tile() const {
         return tile_projection(camera.clip_from_world(), tile, camera.size);
     }
+    /// Of line, that are drawn.
+    LineKindMask kinds() const { return drawn_kinds(options.lines, options.style); }
     /// Depth texels per pixel and axis.
     int depth_scale() const {
         return options.own_depth ? options.own_depth->scale : options.depth_scale;

@@ -68,7 +68,7 @@ Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
     if (options.method == Method::spine) return stages;
 
     add(stages, {"project_clip", "scan"});
-    if ((options.lines & mask_of(LineKind::silhouette)) != 0)
+    if ((drawn_kinds(options.lines, options.style) & mask_of(LineKind::silhouette)) != 0)
         add(stages, {"facing", "silhouette", "chain"});
     add_run_stages(stages, options, kernels_are_faster);
     if (options.method == Method::exact) {

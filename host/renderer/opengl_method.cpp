@@ -9,7 +9,7 @@ FrameStats OpenGlMethod::draw(Frame& frame) {
     const Pen& pen = frame.options.style.pen;
     const glm::vec4 color{pen.color, pen.opacity};
     frame.backdrop.draw_fill(frame, frame.options.style.fill);
-    const gl::LineBuffers lines = frame.scene.gl_lines(frame.options.lines);
+    const gl::LineBuffers lines = frame.scene.gl_lines(frame.kinds());
     frame.clock.gl("depth", [&] {
         line_pass_.draw_depth(frame.scene.gl_triangles(), clip_from_world, frame.camera.origin,
                               frame.camera.size, frame.framebuffer);

@@ -303,7 +303,7 @@ class Renderer::State {
 
     std::optional<Pick> pick(glm::vec2 position, float radius) {
         if (!has_frame_) throw UsageError("renderer: pick() needs a frame that was drawn");
-        LineKindMask kinds = options_.lines;
+        LineKindMask kinds = drawn_kinds(options_.lines, options_.style);
         if (options_.method == Method::opengl) kinds &= ~mask_of(LineKind::silhouette);
         return pick_in(camera_.camera, position, radius, kinds);
     }

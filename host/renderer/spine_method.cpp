@@ -30,7 +30,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
                          {.clip_from_world = clip_from_world,
                           .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                           .eye = frame.camera.eye(),
-                          .kind_mask = frame.options.lines,
+                          .kind_mask = frame.kinds(),
                           .step = frame.options.step,
                           .tiles = cull_hidden ? depth_.tiles().gl() : 0,
                           .tile_count = compute::tiles_for(depth_.size())},

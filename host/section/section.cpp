@@ -19,7 +19,7 @@ namespace {
 /// Corners nearer to a plane than this share of the model's size lie on it, and those nearer to
 /// each other are at one place: floats are no finer.
 constexpr double rounding = 1e-6;
-constexpr double usual_spacing = 1.0 / 40; ///< share of the diagonal
+constexpr double usual_spacing = 1.0 / 40; ///< share of the cut's size
 
 double diagonal_of(const Bounds& bounds) {
     return glm::distance(glm::dvec3{bounds.min}, glm::dvec3{bounds.max});
@@ -47,6 +47,20 @@ void check(std::span<const SectionPlane> planes, const Hatching& hatching) {
         throw UsageError("hatching: spacing must be from 0 on, and spacing and angle finite");
 }
 
+/// The diagonal of the box on the plane around all of them.
+double size_of(std::span<const CutFace> faces) {
+    glm::dvec2 low{INFINITY}, high{-INFINITY};
+    for (const CutFace& face : faces) {
+        for (const CutLoop& loop : face.loops) {
+            for (const glm::dvec2 point : loop.flat) {
+                low = glm::min(low, point);
+                high = glm::max(high, point);
+            }
+        }
+    }
+    return glm::distance(low, high);
+}
+
 std::string name_of(const SectionPlane& plane) {
     if (!plane.name.empty()) return plane.name;
     const auto text = [](glm::dvec3 at) { return fmt::format("{:g},{:g},{:g}", at.x, at.y, at.z); };
@@ -59,7 +73,6 @@ class Sectioner {
         : hatching_(hatching), bounds_(bounds_of(mesh)), rounding_(rounding * reach_of(bounds_)),
           parts_(find_parts(mesh, place_numbers(mesh.positions, rounding_))),
           part_of_triangle_(parts_.of_triangle) {
-        if (hatching_.spacing == 0) hatching_.spacing = usual_spacing * diagonal_of(bounds_);
         section_.mesh = mesh;
     }
 
@@ -71,7 +84,8 @@ class Sectioner {
         mesh_ = &cut.mesh;
         part_of_triangle_ = std::move(cut.part_of_triangle);
         name_kinds();
-        for (const CutFace& face : faces.closed) add_face(face, frame);
+        const double whole = size_of(faces.closed);
+        for (const CutFace& face : faces.closed) add_face(face, frame, whole);
         for (const CutStep& step : faces.open)
             add_line({step.from, step.to}, PolylineKind::section, step.triangle);
         if (!faces.gaps.empty()) note(plane, faces.gaps);
@@ -112,7 +126,8 @@ class Sectioner {
             mesh_->polyline_object.push_back(mesh_->triangle_object[triangle]);
     }
 
-    void add_face(const CutFace& face, const PlaneFrame& frame) {
+    /// `whole`: the size of the cut, of which the face is a part.
+    void add_face(const CutFace& face, const PlaneFrame& frame, double whole) {
         Mesh& mesh = *mesh_;
         for (const glm::uvec3 triangle : face_triangles(face, mesh.positions)) {
             mesh.triangles.push_back(triangle);
@@ -134,7 +149,11 @@ class Sectioner {
         const std::size_t number =
             numbers_.emplace(parts_.look[face.part], numbers_.size()).first->second;
         const double angle = hatch_angle(hatching_.angle, number);
-        for (const auto& [from, to] : hatch_lines(face, hatching_.spacing, angle)) {
+        // Small parts have nearer lines than large ones, but not as much nearer as they are
+        // smaller.
+        const double usual = usual_spacing * std::sqrt(whole * size_of(std::span{&face, 1}));
+        const double spacing = hatching_.spacing > 0 ? hatching_.spacing : usual;
+        for (const auto& [from, to] : hatch_lines(face, spacing, angle)) {
             const auto first = static_cast<std::uint32_t>(mesh.positions.size());
             mesh.positions.push_back(frame.space(from));
             mesh.positions.push_back(frame.space(to));

@@ -20,21 +20,34 @@ using namespace makers;
 
 using Option = SettingOf<FrameOptions>;
 
+constexpr std::string_view automatic_lines = "auto";
+
+std::vector<std::string> names_of_lines() {
+    std::vector<std::string> names{line_kind_names.begin(), line_kind_names.end()};
+    names.emplace_back(automatic_lines);
+    return names;
+}
+
 Option lines() {
-    return {
-        "lines",
-        fmt::format("one or more, separated by commas, of {}", fmt::join(line_kind_names, ", ")),
-        "Kinds of line to draw",
-        false,
-        [](const FrameOptions& o) -> SettingValue { return line_kinds_to_text(o.lines); },
-        [](const FrameOptions&) { return true; }, // bits of no kind select none
-        [](FrameOptions& o, const SettingValue& value) {
-            const auto* given = std::get_if<std::string>(&value);
-            const auto kinds = given != nullptr ? line_kinds_from(*given) : std::nullopt;
-            if (kinds) o.lines = *kinds;
-            return kinds.has_value();
-        },
-        {line_kind_names.begin(), line_kind_names.end()}};
+    return {"lines",
+            fmt::format("auto, or one or more, separated by commas, of {}",
+                        fmt::join(line_kind_names, ", ")),
+            "Kinds of line to draw; auto: all but tangent and centre, and more-lines of the style",
+            false,
+            [](const FrameOptions& o) -> SettingValue {
+                return o.lines ? line_kinds_to_text(*o.lines) : std::string{automatic_lines};
+            },
+            [](const FrameOptions&) { return true; }, // bits of no kind select none
+            [](FrameOptions& o, const SettingValue& value) {
+                const auto* given = std::get_if<std::string>(&value);
+                const bool is_automatic = given != nullptr && *given == automatic_lines;
+                if (is_automatic) o.lines.reset();
+                if (is_automatic) return true;
+                const auto kinds = given != nullptr ? line_kinds_from(*given) : std::nullopt;
+                if (kinds) o.lines = *kinds;
+                return kinds.has_value();
+            },
+            names_of_lines()};
 }
 
 Option probes() {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "frame_settings.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/style_files.hpp"
 #include "pen_rules.hpp"
@@ -74,6 +75,29 @@ Setting density_priority() {
                                    [](double v) { return static_cast<float>(v); });
             return true;
         }};
+}
+
+/// A LineKindMask.
+Setting more_lines() {
+    constexpr std::string_view none = "none";
+    return {"more-lines",
+            fmt::format("none, or one or more, separated by commas, of {}",
+                        fmt::join(line_kind_names, ", ")),
+            "Kinds of line to draw besides the usual ones",
+            false,
+            [=](const Style& style) -> SettingValue {
+                return style.more_lines == 0 ? std::string{none}
+                                             : line_kinds_to_text(style.more_lines);
+            },
+            [](const Style& style) { return (style.more_lines & ~all_line_kinds) == 0; },
+            [=](Style& style, const SettingValue& value) {
+                const auto* given = std::get_if<std::string>(&value);
+                if (given == nullptr) return false;
+                const auto kinds =
+                    *given == none ? std::optional{LineKindMask{0}} : line_kinds_from(*given);
+                if (kinds) style.more_lines = *kinds;
+                return kinds.has_value();
+            }};
 }
 
 Setting focus() {
@@ -173,6 +197,11 @@ std::vector<Setting> make_settings() {
     t.push_back(length(
         "halo", [](auto& s) -> auto& { return s.filter.halo; }, up_to_longest,
         "Gap in the farther of two crossing lines"));
+
+    t.push_back(more_lines());
+    t.push_back(length(
+        "centre-overhang", [](auto& s) -> auto& { return s.centre_overhang; }, up_to_longest,
+        "Centre lines are longer by this at both ends"));
 
     t.push_back(number(
         "density", [](auto& s) -> auto& { return s.density.limit; }, {0, 100},

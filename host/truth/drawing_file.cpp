@@ -78,6 +78,9 @@ Sheet sheet_of(const DrawingFile& drawing, const std::filesystem::path& path) tr
     throw read_error(path, std::string{"of its page: "} + error.what());
 }
 
+/// The kind of line that rays are not asked about.
+constexpr std::string_view centre = line_kind_names[LA_KIND_CENTRE];
+
 DrawingFile of_svg(const SourceFile& file) {
     pugi::xml_document document;
     if (!document.load_buffer(file.bytes.data(), file.bytes.size()))
@@ -90,7 +93,8 @@ DrawingFile of_svg(const SourceFile& file) {
     if (!svg || !is_picture(drawing.size)) throw read_error(file.path, not_ours);
     const Sheet sheet = sheet_of(drawing, file.path);
     for (const pugi::xml_node group : svg.children("g")) {
-        if (std::string_view{group.attribute("class").value()}.ends_with("hidden")) continue;
+        const std::string_view what = group.attribute("class").value();
+        if (what.ends_with("hidden") || what.starts_with(centre)) continue;
         for (const pugi::xml_node path : group.children("path")) {
             const auto lines = parse_path(path.attribute("d").value());
             if (!lines) throw read_error(file.path, not_ours);
@@ -132,7 +136,7 @@ VectorCurve curve_of(const nlohmann::json& json) {
 }
 
 void add_path(const nlohmann::json& path, DrawingFile& drawing) {
-    if (!path.at("visible").get<bool>()) return;
+    if (!path.at("visible").get<bool>() || path.at("kind") == centre) return;
     std::vector<glm::dvec2> points;
     for (const nlohmann::json& one : path.at("points")) points.push_back(point(one));
     std::vector<VectorCurve> curves;

@@ -9,7 +9,7 @@ namespace lineatlas {
 DrawnLines drawn_lines(const VectorDrawing& drawing) {
     DrawnLines drawn;
     for (const VectorPath& path : drawing.paths) {
-        if (!path.visible) continue;
+        if (!path.visible || path.kind == LineKind::centre) continue;
         std::vector<glm::dvec2> points;
         for (const VectorPoint& point : path.points) points.push_back(point.at);
         append_legs(flattened(points, path.curves), drawn.legs);

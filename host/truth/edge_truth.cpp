@@ -62,6 +62,8 @@ Drawn is_drawn(const LineSet& lines, const PreciseCamera& projection, std::size_
         const double above = ridge_facing(lines, projection, index) - double{LA_GRAZING};
         return above > edge_on ? Drawn::surely : above < -edge_on ? Drawn::never : Drawn::perhaps;
     }
+    // What hangs over its ends, and runs on where it is hidden, is no matter of visibility.
+    if ((segment.tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE) return Drawn::never;
     if (!is_candidate(segment)) return Drawn::surely;
     const double a = facing(lines, projection, segment.face_a);
     double b = facing(lines, projection, segment.face_b & LA_FACE_INDEX);

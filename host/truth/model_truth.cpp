@@ -13,8 +13,9 @@ namespace {
 
 /// Patches end at lines of every kind, drawn or not, but not where a surface goes on smoothly.
 RayScene scene_of(const Mesh& mesh, const LineSet& lines, LineOptions options) {
-    if (options.lines == all_line_kinds && !options.smooth_edges) return RayScene{lines};
-    options.lines = all_line_kinds;
+    const bool has_all = (options.lines & usual_line_kinds) == usual_line_kinds;
+    if (has_all && !options.smooth_edges) return RayScene{lines};
+    options.lines = usual_line_kinds;
     options.smooth_edges = false;
     return {lines, smooth_patches(extract_lines(mesh, options))};
 }

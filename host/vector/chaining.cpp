@@ -177,7 +177,7 @@ class PathMaker {
         if (step.segment < lines_.sources.size()) piece.source = lines_.sources[step.segment];
         if (step.reversed) std::swap(piece.source.from, piece.source.to);
         path.points.push_back(place(step, to, passed));
-        if (is_contour(lines_, step.segment) || runs_through(piece.source)) {
+        if (is_contour(lines_, step.segment) || runs_through(step.segment)) {
             piece.over_start = over(step.segment, path.points.end()[-2].world);
             piece.over_end = over(step.segment, path.points.back().world);
         }
@@ -186,9 +186,9 @@ class PathMaker {
 
     /// Whether it is a ridge or a valley: all else that lies in a triangle has edges or another
     /// one.
-    static bool runs_through(const LineSource& source) {
-        return source.triangle != LineSource::none && source.from == LineSource::none &&
-               source.crossing == LineSource::none;
+    bool runs_through(std::uint32_t segment) const {
+        const std::uint32_t kind = lines_.segments[segment].tag & LA_TAG_KIND_MASK;
+        return (1U << kind & LA_KINDS_OF_SHAPE) != 0;
     }
 
     /// Over which place of its triangle a point of a contour, ridge or valley lies, as shares of

@@ -56,13 +56,12 @@ int whole_color(glm::vec3 color) {
     return bytes.x << 16 | bytes.y << 8 | bytes.z;
 }
 
-/// "DASHED" for the first pattern.
-const std::string& linetype_of(const PenStroke::Dashes& dashes, std::vector<DxfLinetype>& known) {
-    for (const DxfLinetype& type : known) {
-        if (type.dashes.dash == dashes.dash && type.dashes.gap == dashes.gap) return type.name;
-    }
+/// "DASHED" for the first pattern; "CENTER" of those with dots, as other programs call them.
+const std::string& linetype_of(const std::vector<double>& dashes, std::vector<DxfLinetype>& known) {
+    for (const DxfLinetype& type : known)
+        if (type.dashes == dashes) return type.name;
     const std::string number = known.empty() ? "" : std::to_string(known.size() + 1);
-    known.push_back({"DASHED" + number, dashes});
+    known.push_back({(dashes.size() > 2 ? "CENTER" : "DASHED") + number, dashes});
     return known.back().name;
 }
 
@@ -87,9 +86,9 @@ void add_layers(DxfLayers& found, std::span<const LineGroup> groups, const Sheet
     for (const LineGroup& group : groups) {
         const PenStroke stroke = pen_stroke(group.pen, sheet);
         found.layers.push_back({.name = prefix + group.name(),
-                                .linetype = stroke.dashes
-                                                ? linetype_of(*stroke.dashes, found.linetypes)
-                                                : "CONTINUOUS",
+                                .linetype = stroke.dashes.empty()
+                                                ? "CONTINUOUS"
+                                                : linetype_of(stroke.dashes, found.linetypes),
                                 .color_index = nearest_index(stroke.color),
                                 .color = whole_color(stroke.color),
                                 .line_weight = nearest_weight(stroke.width),

@@ -12,7 +12,7 @@ namespace lineatlas {
 /// The pattern of a dashed line, in millimetres.
 struct DxfLinetype {
     std::string name;
-    PenStroke::Dashes dashes;
+    std::vector<double> dashes; ///< PenStroke::dashes
 };
 
 /// A layer and how all that lies on it is drawn.

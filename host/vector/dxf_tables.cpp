@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <numeric>
 
 namespace lineatlas {
 namespace {
@@ -47,16 +48,15 @@ void write_viewport(DxfText& text, Handle table, glm::dvec2 size) {
 }
 
 void write_linetype(DxfText& text, Handle table, std::string_view name, std::string_view looks,
-                    const PenStroke::Dashes* dashes) {
+                    const std::vector<double>& dashes) {
     begin_record(text, "LTYPE", "AcDbLinetypeTableRecord", table, name);
     text.add(70, 0);
     text.add(3, looks);
     text.add(72, 65); // "A", which is all there is
-    text.add(73, dashes != nullptr ? 2 : 0);
-    text.add(40, dashes != nullptr ? dashes->dash + dashes->gap : 0.0);
-    if (dashes == nullptr) return;
-    for (const double length : {dashes->dash, -dashes->gap}) {
-        text.add(49, length);
+    text.add(73, static_cast<int>(dashes.size()));
+    text.add(40, std::accumulate(dashes.begin(), dashes.end(), 0.0));
+    for (std::size_t i = 0; i < dashes.size(); ++i) {
+        text.add(49, i % 2 == 0 ? dashes[i] : -dashes[i]);
         text.add(74, 0);
     }
 }
@@ -177,11 +177,11 @@ Handle write_tables(DxfText& text, const DxfLayers& layers, glm::dvec2 size) {
     write_table(text, "VPORT", 1, [&](Handle table) { write_viewport(text, table, size); });
     const auto linetypes = static_cast<int>(layers.linetypes.size());
     write_table(text, "LTYPE", 3 + linetypes, [&](Handle table) {
-        for (const char* name : {"ByBlock", "ByLayer"})
-            write_linetype(text, table, name, "", nullptr);
-        write_linetype(text, table, "CONTINUOUS", "Solid line", nullptr);
+        for (const char* name : {"ByBlock", "ByLayer"}) write_linetype(text, table, name, "", {});
+        write_linetype(text, table, "CONTINUOUS", "Solid line", {});
         for (const DxfLinetype& type : layers.linetypes)
-            write_linetype(text, table, type.name, "__ __ __ __", &type.dashes);
+            write_linetype(text, table, type.name,
+                           type.dashes.size() > 2 ? "____ . ____" : "__ __ __ __", type.dashes);
     });
     write_table(text, "LAYER", 1 + static_cast<int>(layers.layers.size()), [&](Handle table) {
         write_layer(text, table, {"0", "CONTINUOUS", 7, 0, 25});

@@ -28,8 +28,8 @@ namespace lineatlas {
 namespace {
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
-/// ridge, valley. What outlines the model is drawn last.
-constexpr std::array<int, LA_KIND_COUNT> drawn_rank{4, 6, 3, 7, 8, 5, 9, 0, 2, 1};
+/// ridge, valley, tangent, centre, trail. What outlines the model is drawn last.
+constexpr std::array<int, LA_KIND_COUNT> drawn_rank{5, 7, 4, 8, 9, 6, 12, 0, 3, 2, 1, 11, 10};
 
 void sort_for_drawing(std::vector<VectorPath>& paths) {
     std::ranges::stable_sort(paths, {}, [](const VectorPath& path) {
@@ -44,6 +44,30 @@ void drop_hidden(std::vector<Strip>& strips) {
     for (Strip& strip : strips) {
         std::erase_if(strip.strokes, [](const Stroke& stroke) { return !stroke.visible; });
     }
+}
+
+bool look_alike(const Pen& a, const Pen& b) {
+    return a.mark == b.mark && a.width == b.width && a.color == b.color && a.opacity == b.opacity;
+}
+
+/// A centre line whose hidden parts look as the others do is one line, and its dashes run through.
+void join_centre_lines(const LineClasses& classes, const LinePens& pens,
+                       std::vector<Strip>& strips) {
+    for (Strip& strip : strips) {
+        if (strip.kind != LineKind::centre) continue;
+        const LinePens::OfClass own =
+            pens.of_class.empty() ? LinePens::OfClass{}
+                                  : pens.of_class[classes.of_segment[strip.steps.front().segment]];
+        if (!look_alike(pens.pens[own.inner], pens.hidden[own.hidden])) continue;
+        for (Stroke& stroke : strip.strokes) stroke.visible = true;
+    }
+}
+
+/// Of lines that a rule's opacity of 0 takes away.
+void drop_invisible(VectorDrawing& drawing) {
+    std::erase_if(drawing.paths, [&](const VectorPath& path) {
+        return (path.visible ? drawing.pens : drawing.hidden_pens)[path.pen].opacity == 0;
+    });
 }
 
 void apply_filter(const LineSet& lines, const Camera& camera, const Style& style, float widest,
@@ -111,13 +135,17 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
-    if (!style.hidden) drop_hidden(strips);
+    if (style.hidden)
+        join_centre_lines(classes, pens, strips);
+    else
+        drop_hidden(strips);
     apply_filter(lines, camera, style, widest(pens.pens), pieces, strips);
 
     VectorDrawing drawing{.size = camera.size, .style = style, .groups = {}, .paths = {}};
     drawing.pens = pens.pens;
     drawing.hidden_pens = pens.hidden;
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
+    drop_invisible(drawing);
     const PathCurves curves{options.mesh, camera};
     curves.bend(drawing.paths);
     simplify(drawing.paths, options.tolerance, curves);

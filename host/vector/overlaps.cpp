@@ -37,8 +37,8 @@ constexpr double longest_scrap = 12; ///< pixels
 constexpr double longest_touch = 16;
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
-/// ridge, valley.
-constexpr std::array<int, LA_KIND_COUNT> kind_rank{4, 2, 3, 5, 0, 6, 1, 9, 7, 8};
+/// ridge, valley, tangent, centre, trail.
+constexpr std::array<int, LA_KIND_COUNT> kind_rank{3, 2, 4, 5, 0, 6, 1, 10, 8, 9, 7, 12, 11};
 
 struct Line {
     glm::dvec2 a, along; ///< its start and unit direction
@@ -93,6 +93,11 @@ bool is_along_curves(const VectorPath& path) {
     if (path.pieces.empty()) return false;
     const VectorPiece& piece = path.pieces.front();
     return piece.edge != VectorPiece::none || piece.face != VectorPiece::none;
+}
+
+/// Whether it gives way to hidden edges, too (ISO 128-2: edges, hidden edges, centre lines).
+bool is_beside_edges(LineKind kind) {
+    return kind == LineKind::centre || kind == LineKind::trail;
 }
 
 /// Where a path stands in the order in which paths claim their place.
@@ -155,12 +160,13 @@ std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths,
     claims.reserve(paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const VectorPath& path = paths[i];
-        claims.push_back({.hidden = !path.visible,
-                          .inside = !path.outline && can_be_outline(path.kind),
-                          .scrap = is_along_curves(path) && length_of(path) < longest_scrap,
-                          .kind = kind_rank[static_cast<std::size_t>(path.kind)],
-                          .depth = mean_depth(path),
-                          .path = i});
+        claims.push_back(
+            {.hidden = !path.visible || is_beside_edges(path.kind),
+             .inside = !path.outline && (can_be_outline(path.kind) || is_beside_edges(path.kind)),
+             .scrap = is_along_curves(path) && length_of(path) < longest_scrap,
+             .kind = kind_rank[static_cast<std::size_t>(path.kind)],
+             .depth = mean_depth(path),
+             .path = i});
     }
     if (!curves.empty()) join_claims(paths, curves, claims);
     std::ranges::sort(claims);

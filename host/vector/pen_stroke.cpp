@@ -1,5 +1,9 @@
 #include "pen_stroke.hpp"
 
+#include <cmath>
+#include <numeric>
+#include <optional>
+
 #include "core/pens.hpp"
 
 namespace lineatlas {
@@ -15,9 +19,18 @@ PenStroke pen_stroke(const Pen& pen, const Sheet& sheet) {
                      .dashes = {}};
     if (const std::optional<DashLengths> marks = dash_lengths(pen.mark, pen.width)) {
         stroke.dashes = {length(marks->dash), length(marks->gap)};
+        if (marks->dot > 0)
+            stroke.dashes.insert(stroke.dashes.end(), {length(marks->dot), length(marks->gap)});
         stroke.round = marks->round;
     }
     return stroke;
+}
+
+double dash_offset(const PenStroke& stroke, double length) {
+    if (stroke.dashes.size() <= 2) return 0;
+    const double period = std::accumulate(stroke.dashes.begin(), stroke.dashes.end(), 0.0);
+    const double offset = std::fmod(0.5 * (stroke.dashes.front() - length), period);
+    return offset < 0 ? offset + period : offset;
 }
 
 } // namespace lineatlas

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "lineatlas/style.hpp"
 #include "sheet.hpp"
@@ -10,19 +10,19 @@ namespace lineatlas {
 /// The properties of a pen in formats that know only widths, caps, joins and dashes. Lengths are in
 /// units of the sheet.
 struct PenStroke {
-    struct Dashes {
-        double dash, gap;
-    };
-
     glm::vec3 color;
     double opacity;
     double width;
     Join join;
     double mitre_limit;
     bool round; ///< its caps, those of dashes included: one for both; else cut square
-    std::optional<Dashes> dashes;
+    std::vector<double> dashes; ///< on, off and so on; empty: none
 };
 
 PenStroke pen_stroke(const Pen& pen, const Sheet& sheet);
+
+/// How much of its pattern a line of dashes and dots leaves out at its start, so that a dash lies
+/// in its middle: marks cross there (ISO 128-2). 0 of dashes alone.
+double dash_offset(const PenStroke& stroke, double length);
 
 } // namespace lineatlas

@@ -79,6 +79,13 @@ std::uint64_t name_of_end(const float* window) {
            std::bit_cast<std::uint32_t>(window[1]);
 }
 
+/// Whether what is found of a segment says where it runs: of contours, which the frame's own
+/// vertices have, and of centre lines, which hang over their ends.
+bool goes_as_far_as_found(const LineSet& lines, std::uint32_t segment) {
+    return is_contour(lines, segment) ||
+           (lines.segments[segment].tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE;
+}
+
 /// A contour, as far as its intervals go.
 std::optional<ScreenSegment> contour_segment(const Projector& projector, const Interval& first,
                                              const Interval& last) {
@@ -182,7 +189,7 @@ Pieces make_pieces(const LineSet& lines, const Camera& camera,
             next_line = last + 1;
             const Segment& segment = lines.segments[interval.segment];
             const std::optional<ScreenSegment> screen =
-                is_contour(lines, interval.segment)
+                goes_as_far_as_found(lines, interval.segment)
                     ? contour_segment(projector, interval, intervals[last])
                     : projector.project(lines.vertices[segment.p], lines.vertices[segment.q]);
             is_seen = screen.has_value();

@@ -7,6 +7,7 @@
 
 #include "line_groups.hpp"
 #include "path_data.hpp"
+#include "paths.hpp"
 #include "pen_stroke.hpp"
 #include "svg_document.hpp"
 #include "tags.hpp"
@@ -42,10 +43,10 @@ void set_stroke(XmlElement& group, const Pen& pen, const Sheet& sheet) {
         group.set("stroke-miterlimit", number_text(stroke.mitre_limit, opacity_digits));
     }
     group.set("stroke-linecap", stroke.round ? "round" : "butt");
-    if (stroke.dashes) {
-        group.set("stroke-dasharray",
-                  length(stroke.dashes->dash) + " " + length(stroke.dashes->gap));
-    }
+    if (stroke.dashes.empty()) return;
+    std::string dashes;
+    for (const double each : stroke.dashes) dashes += (dashes.empty() ? "" : " ") + length(each);
+    group.set("stroke-dasharray", dashes);
 }
 
 XmlElement& add_group(XmlElement& parent, const LineGroup& lines, const Sheet& sheet,
@@ -78,12 +79,15 @@ void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& 
                  const SvgPaths& how) {
     for (const LineGroup& group : line_groups(drawing)) {
         XmlElement& node = add_group(parent, group, sheet, how);
+        const PenStroke stroke = pen_stroke(group.pen, sheet);
         for (const VectorPath& path : group.paths) {
             const std::string data =
                 path_data(outline_of(path, sheet, how.arcs), sheet.digits, how.relative);
             if (data.empty()) continue;
             XmlElement& element = node.add("path");
             element.set("d", data);
+            if (const double offset = dash_offset(stroke, sheet.scale * length_of(path)))
+                element.set("stroke-dashoffset", number_text(offset, sheet.digits + 1));
             if (how.tags) add_text(element, "desc", tags_text(drawing, path));
         }
     }

@@ -87,7 +87,7 @@ std::string command_of(const SavedPicture& picture) {
     for (const SectionPlane& plane : model.planes) text += " --section " + word(plane.name);
     if (model.shown.crease) text += fmt::format(" --crease {}", *model.shown.crease);
     if (model.shown.silhouettes) text += " --silhouettes " + word_of(*model.shown.silhouettes);
-    if (options.lines != all_line_kinds) text += " --lines " + line_kinds_to_text(options.lines);
+    if (options.lines) text += " --lines " + line_kinds_to_text(*options.lines);
     if (picture.paper)
         text +=
             fmt::format(" --page {} --margin {:g}mm", picture.paper->page, picture.paper->margin);

@@ -18,7 +18,7 @@ std::vector<SessionFile::Option> options_of(const Settings& settings, glm::ivec2
         options.push_back({key, {std::move(value)}});
     };
     add("size", fmt::format("{}x{}", size.x, size.y));
-    if (settings.lines != all_line_kinds) add("lines", line_kinds_to_text(settings.lines));
+    if (settings.lines) add("lines", line_kinds_to_text(*settings.lines));
     const Side& side = settings.sides[0];
     // Without a method the tool takes `exact`, as a picture at rest does here.
     if (side.method == Method::atlas && settings.exact_at_rest) return options;

@@ -39,9 +39,9 @@ inline const char* label_of(Method method) {
 struct Settings {
     std::array<Side, 2> sides{{{}, {.method = Method::opengl}}};
     bool split = false;
-    float split_at = 0.5F; ///< share of the width that shows the first side
-    LineKindMask lines = all_line_kinds;
-    std::string style_name; ///< where the style comes from; empty: plain lines
+    float split_at = 0.5F;               ///< share of the width that shows the first side
+    std::optional<LineKindMask> lines{}; ///< FrameOptions::lines
+    std::string style_name;              ///< where the style comes from; empty: plain lines
     Style style = default_style();
     Shown shown{};
     bool steady = true;

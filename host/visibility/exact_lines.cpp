@@ -70,7 +70,8 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
                           .kind_mask = view.lines,
                           .occlusion = nullptr,
                           .out = {*clipped_, visibility_.counts(), *arcs_},
-                          .batches = batches ? &*batches : nullptr});
+                          .batches = batches ? &*batches : nullptr,
+                          .centre_overhang = view.centre_overhang});
 }
 
 } // namespace lineatlas

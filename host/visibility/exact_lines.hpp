@@ -18,6 +18,7 @@ struct LineView {
     float contact;        ///< contact_of() the model as it was made
     LineKindMask lines;
     float step; ///< FrameOptions::step: a line of one segment that is shorter is left out
+    float centre_overhang = 0; ///< Style::centre_overhang, pixels
     /// Whether anybody asks where along its path a visible part lies, or for hidden parts; else
     /// what is hidden whole has no length.
     bool measured = true;

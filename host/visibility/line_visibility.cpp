@@ -36,6 +36,8 @@ void check(const VisibilityOptions& options) {
     }
     if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
         throw UsageError("outline depth must be a number of pixels of at least 0");
+    if (!(options.centre_overhang >= 0) || !std::isfinite(options.centre_overhang))
+        throw UsageError("centre overhang must be a number of pixels of at least 0");
 }
 
 /// What a device is tried by.
@@ -52,12 +54,14 @@ class LineVisibility::State {
         check_camera(camera);
     }
 
-    LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step) const {
+    LineView view_by(const StandardCamera& standard, LineKindMask kinds, float step,
+                     float overhang) const {
         return {.camera = standard.camera,
                 .bounds = motion_->bounds(),
                 .contact = contact_,
                 .lines = kinds,
                 .step = step,
+                .centre_overhang = overhang,
                 .tracer = moving_ ? nullptr : tables_->tracer.get()};
     }
 
@@ -122,8 +126,9 @@ class LineVisibility::State {
                                             .outline_depth = options.outline_depth};
         return work([&](ExactIntervals& found, const PlacedLines& lines) {
             const StandardCamera standard = standard_camera(camera, motion_->bounds());
-            return found.find(lines, view_by(standard, options.lines, options.step), wanted,
-                              {progress, "finding what is visible"});
+            return found.find(
+                lines, view_by(standard, options.lines, options.step, options.centre_overhang),
+                wanted, {progress, "finding what is visible"});
         });
     }
 
@@ -134,7 +139,7 @@ class LineVisibility::State {
         return work([&](ExactIntervals& found, const PlacedLines& lines) {
             const StandardCamera standard = standard_camera(camera, motion_->bounds());
             return lineatlas::pick(found, *device_, lines, objects_,
-                                   view_by(standard, kinds, finest_step), position, radius);
+                                   view_by(standard, kinds, finest_step, 0), position, radius);
         });
     }
 

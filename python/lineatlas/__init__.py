@@ -76,6 +76,9 @@ class LineKind(_enum.IntEnum):
     hatching = 7
     ridge = 8
     valley = 9
+    tangent = 10
+    centre = 11
+    trail = 12
 
 
 def _renderer(model: _Model, arguments: dict[str, _Any]) -> Renderer:

@@ -45,6 +45,9 @@ class LineKind(enum.IntEnum):
     hatching = 7
     ridge = 8
     valley = 9
+    tangent = 10
+    centre = 11
+    trail = 12
 
 def draw(
     model: _Model,

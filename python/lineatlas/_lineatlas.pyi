@@ -81,6 +81,13 @@ class Mesh:
         angle: float = 45.0,
         hatching: bool = True,
     ) -> Mesh: ...
+    def exploded(
+        self,
+        factor: float = 1.5,
+        *,
+        moves: dict[str, Sequence[float]] = ...,
+        trails: bool = True,
+    ) -> Mesh: ...
 
 class Scene:
     @property

@@ -304,15 +304,26 @@ gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
     return *canvas;
 }
 
+namespace {
+
+/// Kinds that somebody asked for are drawn whatever the style says.
+std::optional<LineKindMask> asked_kinds(const ModelLines& subject) {
+    const LineKindMask kinds = subject.options.lines;
+    return kinds != all_line_kinds ? std::optional{kinds} : std::nullopt;
+}
+
+} // namespace
+
 void Drawer::prepare(const FrameOptions& options, const Progress& progress) {
     Pictures* pictures = nullptr;
     const InUse use{*this, pictures};
     pictures->renderer.prepare(options, progress);
 }
 
-Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool transparent) {
+Picture Drawer::draw(const Camera& camera, FrameOptions options, bool transparent) {
     Pictures* pictures = nullptr;
     const InUse use{*this, pictures};
+    options.lines = asked_kinds(*subject_);
     set_pens(*pictures, options.style);
     // Colours divided by a small alpha need more than the 8 bits that are left in the end.
     gl::Canvas& target = canvas(*pictures, camera.size, transparent ? 16 : 8);
@@ -334,15 +345,17 @@ Picture Drawer::draw(const Camera& camera, const FrameOptions& options, bool tra
 
 FoundIntervals Drawer::intervals(const Camera& camera, FrameOptions options, bool hidden,
                                  const Progress& progress) {
+    options.lines = asked_kinds(*subject());
     if (options.method == Method::exact) {
         const InUse use{*this};
         if (!state_->pictures) {
-            const VisibilityOptions wanted{.lines = options.lines,
-                                           .hidden = hidden,
-                                           .step = options.step,
-                                           .outlines = tells_outlines(options.style),
-                                           .outline_depth =
-                                               outline_depth(options.style, camera.size)};
+            const VisibilityOptions wanted{
+                .lines = drawn_kinds(options.lines, options.style),
+                .hidden = hidden,
+                .step = options.step,
+                .outlines = tells_outlines(options.style),
+                .outline_depth = outline_depth(options.style, camera.size),
+                .centre_overhang = centre_overhang(options.style, camera.size)};
             LineVisibility& visibility = make_visibility();
             std::vector<Interval> found = visibility.find(camera, wanted, progress);
             return {subject_, std::move(found), visibility.outlines()};

@@ -56,7 +56,7 @@ class Drawer {
     std::string take_note(); ///< Renderer::note(), once, and again if it is another
 
     void prepare(const FrameOptions& options, const Progress& progress); ///< as Renderer has it
-    Picture draw(const Camera& camera, const FrameOptions& options, bool transparent);
+    Picture draw(const Camera& camera, FrameOptions options, bool transparent);
     /// What is visible of the lines, and with `hidden` the rest too.
     FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden,
                              const Progress& progress);

@@ -207,7 +207,8 @@ std::shared_ptr<Model> load(const std::filesystem::path& path, const LoadOptions
     return std::make_shared<Model>(
         Model{.mesh = std::move(loaded.mesh),
               .notes = std::move(loaded.notes),
-              .origin = {loaded.origin.x, loaded.origin.y, loaded.origin.z}});
+              .origin = {loaded.origin.x, loaded.origin.y, loaded.origin.z},
+              .parts = std::move(loaded.parts)});
 }
 
 py::array rows_of(const py::object& self, const glm::vec3* rows, std::size_t count) {
@@ -368,6 +369,7 @@ void bind_mesh(py::module_& module) {
             "inside\nout, None where they are not closed.")
         .def("__repr__", &describe);
     bind_section(mesh);
+    bind_explode(mesh);
     module.def(
         "load",
         [](const Argument<std::filesystem::path, "path", "a path">& path,

@@ -32,8 +32,10 @@ std::shared_ptr<Model> cut(const Model& model, const PlanesArgument& planes,
                                {.spacing = static_cast<double>(*spacing),
                                 .angle = static_cast<double>(*angle),
                                 .none = !hatching});
-    auto result = std::make_shared<Model>(
-        Model{.mesh = std::move(section.mesh), .notes = model.notes, .origin = model.origin});
+    auto result = std::make_shared<Model>(Model{.mesh = std::move(section.mesh),
+                                                .notes = model.notes,
+                                                .origin = model.origin,
+                                                .parts = model.parts});
     result->notes.insert(result->notes.end(), section.notes.begin(), section.notes.end());
     return result;
 }
@@ -47,8 +49,8 @@ void bind_section(py::class_<Model, std::shared_ptr<Model>>& mesh) {
         "What planes leave of it, closed and hatched where they cut. planes: \"x=0.3\",\n"
         "\"-x=50%\" (of the model; - leaves what is beyond), \"1,2,3/0,0,1\" (a point and a\n"
         "normal, on whose side all goes), or a list of up to six. spacing: between lines of\n"
-        "hatching, in the model's unit; 0: a fortieth of its diagonal. angle: theirs in degrees,\n"
-        "turned from part to part. Notes say where a cut does not close.");
+        "hatching, in the model's unit; 0: a fortieth of the size of the cut. angle: theirs in\n"
+        "degrees, turned from part to part. Notes say where a cut does not close.");
 }
 
 } // namespace lineatlas::python

@@ -4,7 +4,7 @@ members. Python's are written as they are used: Class.member, function(parameter
 SAME = """
 Camera Camera.projection Camera.view Cancelled DeviceError Error FileError MismatchError UsageError
 LineKind LineKind.boundary LineKind.crease LineKind.file LineKind.hatching LineKind.intersection LineKind.material
-LineKind.ridge LineKind.section LineKind.silhouette LineKind.valley Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
+LineKind.ridge LineKind.section LineKind.silhouette LineKind.valley LineKind.tangent LineKind.centre LineKind.trail Mesh Mesh.groups Mesh.known_edges Mesh.polylines Mesh.positions Mesh.triangle_group
 Mesh.polyline_object Mesh.triangle_object Mesh.triangles Pick Pick.distance Pick.kind Pick.object Pick.position
 Pick.segment Pick.triangle Pick.world Renderer Scene Scene.mesh Scene.name Scene.view Style View View.eye View.far View.near View.projection
 View.target View.up
@@ -85,9 +85,11 @@ ELSEWHERE = {
     "make_scene()": "scene()", "scene_names()": "SCENES",
     "Hatching": "Mesh.cut()", "Hatching.angle": "Mesh.cut(angle)", "Hatching.none": "Mesh.cut(hatching)",
     "Hatching.spacing": "Mesh.cut(spacing)", "Section": "Mesh.cut()", "Section.mesh": "Mesh.cut()", "Section.notes": "Mesh.notes",
+    "Explosion": "Mesh.exploded()", "Explosion.factor": "Mesh.exploded(factor)", "Explosion.moves": "Mesh.exploded(moves)",
+    "Explosion.trails": "Mesh.exploded(trails)", "PartMove.*": "Mesh.exploded(moves)", "explode()": "Mesh.exploded()",
     "SectionPlane.*": "Mesh.cut(planes)", "cut_mesh()": "Mesh.cut()", "parse_section()": "Mesh.cut(planes)",
     # styles
-    "Style.density": "Style[density]", "Style.fill": "Style[fill]", "Style.filter": "Style[drop-runs]",
+    "Style.more_lines": "Style[more-lines]", "Style.centre_overhang": "Style[centre-overhang]", "Style.density": "Style[density]", "Style.fill": "Style[fill]", "Style.filter": "Style[drop-runs]",
     "Style.focus": "Style[focus]", "Style.hidden": "Style[hidden]", "Style.hidden_density": "Style[hidden-density]", "Style.hidden_pen": "Style[hidden-pen]",
     "Style.paper": "Style[paper]", "Style.pen": "Style[pen]",
     "Cap.*": "Style[cap]", "FillMode.*": "Style[fill]", "Join.*": "Style[join]",
@@ -119,7 +121,7 @@ ELSEWHERE = {
     "OutlinePart.*": "Renderer.to_json()", "LineVisibility.outlines()": "Renderer.to_json()",
     "Renderer.read_outlines()": "Renderer.to_json()", "VectorOptions.outlines": "Renderer.to_json()",
     "VisibilityOptions.outlines": "Renderer.to_json()",
-    "VisibilityOptions.outline_depth": "Renderer.to_json()",
+    "VisibilityOptions.outline_depth": "Renderer.to_json()", "VisibilityOptions.centre_overhang": "Style[centre-overhang]",
     "VectorOptions": "Renderer.to_svg()", "VectorOptions.mesh": "Renderer.to_svg(tags)",
     "VectorOptions.plotter": "Renderer.to_svg(plotter)", "Page.*": "Renderer.to_svg(page)", "Unit.*": "Renderer.to_svg(page)",
     "Length.*": "Renderer.to_svg(margin)", "length_in()": "Renderer.to_svg(margin)", "parse_length()": "Renderer.to_svg(margin)",

@@ -1,4 +1,4 @@
-"""Meshes that are cut by planes."""
+"""Meshes that are cut by planes, and parts that stand apart."""
 
 import unittest
 
@@ -32,6 +32,25 @@ class Sections(unittest.TestCase):
                 mesh.cut(planes)
         with self.assertRaises(TypeError):
             mesh.cut(3)
+
+    def test_parts_apart(self) -> None:
+        mesh = lineatlas.Mesh(np.concatenate([cube().positions, cube().positions + (10, 0, 0)]),
+                              np.concatenate([cube().triangles, cube().triangles + len(cube().positions)]),
+                              triangle_group=np.repeat([0, 1], len(cube().triangles)),
+                              groups=[lineatlas.Group("left"), lineatlas.Group("right")])
+        apart = mesh.exploded(2)
+        moved = apart.positions[:len(mesh.positions)] - mesh.positions
+        np.testing.assert_allclose(moved[0], (-5, 0, 0), atol=1e-5)
+        np.testing.assert_allclose(moved[-1], (5, 0, 0), atol=1e-5)
+        self.assertEqual(len(apart.polylines), 2)
+        kinds = set(lineatlas.intervals(apart, compute="cpp", hidden=True)["kind"])
+        self.assertIn(lineatlas.LineKind.trail, kinds)
+        up = mesh.exploded(1, moves={"r*": (0, 3, 0)}, trails=False)
+        np.testing.assert_allclose((up.positions - mesh.positions)[-1], (0, 3, 0), atol=1e-5)
+        self.assertEqual(len(up.polylines), 0)
+        for wrong in ({"factor": 0.5}, {"moves": {"nobody": (1, 0, 0)}}):
+            with self.assertRaises(lineatlas.UsageError):
+                mesh.exploded(**wrong)
 
 
 if __name__ == "__main__":

@@ -57,6 +57,21 @@ TEST_F(Models, InfoNamesThePartsForPeople) {
                                  "    door: 12 triangles\n");
 }
 
+TEST_F(Models, PartsApartHaveTrailsThatRaysFind) {
+    const std::string apart = path("apart.svg");
+    said("draw " + path("hall.glb") + " -o " + apart + " --view isometric --explode 2 --explode " +
+         "'Bolt, left=0,2,0' --method exact");
+    const std::string svg = read(apart);
+    EXPECT_NE(svg.find("id=\"trail\""), std::string::npos);
+    said("check " + apart + " " + path("hall.glb") + " --at-most 0.01");
+    expect_refused("draw " + path("hall.glb") + " -o " + path("b.svg") + " --explode 0.5", 2,
+                   "the factor must be from 1 to 100");
+    expect_refused("draw " + path("hall.glb") + " -o " + path("b.svg") + " --explode nut=1,0,0", 2,
+                   "no part is called \"nut\"");
+    expect_refused("draw " + path("hall.glb") + " -o " + path("b.svg") + " --explode nut", 2,
+                   "neither a factor");
+}
+
 TEST_F(Models, InfoNamesThePartsForScripts) {
     const auto info = nlohmann::json::parse(said("info --json " + path("hall.glb")));
     EXPECT_EQ(info["format"], "glTF 2.0");
@@ -72,6 +87,10 @@ TEST_F(Models, InfoNamesThePartsForScripts) {
     EXPECT_EQ(info["parts"][2]["parent"], 0);
     EXPECT_EQ(info["parts"][2]["triangles"], 12);
     EXPECT_EQ(info["parts"][2]["shape"], info["parts"][1]["shape"]);
+    EXPECT_EQ(info["parts"][0].count("item"), 0U) << "it only holds others";
+    EXPECT_EQ(info["parts"][1]["item"], 1);
+    EXPECT_EQ(info["parts"][2]["item"], 1) << "of the same shape";
+    EXPECT_EQ(info["parts"][3]["item"], 2);
     EXPECT_EQ(info["volume"], 3);
     EXPECT_EQ(info["parts"][2]["volume"], 1);
     EXPECT_EQ(info["parts"][2]["box"]["max"][0].get<double>() -

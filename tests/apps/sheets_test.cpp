@@ -237,7 +237,8 @@ TEST_F(Sheets, AutoSaysWhatAPartIs) {
     ASSERT_EQ(cube.exit_code, 0) << cube.output;
     for (const char* text :
          {"\"size_mm\": [\n    100.0,\n    100.0,\n    100.0\n  ]", "\"volume\": 1000000.0",
-          "\"notes\": []", "\"scale\": \"1:2\"", "\"name\": \"isometric\""})
+          "\"notes\": []", "\"scale\": \"1:2\"",
+          "\"balloons\": [\n          {\n            \"item\": 1,", "\"name\": \"isometric\""})
         EXPECT_NE(cube.output.find(text), std::string::npos) << text << cube.output;
     const std::string svg = read(path("a.svg"));
     for (const char* text : {">100<", ">X<", ">100 mm<"})

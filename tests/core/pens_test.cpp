@@ -33,7 +33,7 @@ double change_after(const PenMark& mark, int column) {
 
 TEST(Pens, EveryNameIsAPen) {
     const std::vector<std::string_view> expected{"solid", "fine",   "pencil", "charcoal",
-                                                 "brush", "dashed", "dotted"};
+                                                 "brush", "dashed", "dotted", "chain"};
     EXPECT_TRUE(std::ranges::equal(pen_names(), expected, {}, &PenName::name));
     for (const PenName& pen : pen_names()) {
         EXPECT_FALSE(pen.description.empty());

@@ -34,6 +34,8 @@
 #include <glm/vec2.hpp>
 #include <gp_Ax1.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include "brep_files.hpp"
 #include "brep_fixture.hpp"
@@ -343,6 +345,34 @@ TEST_F(Brep, FacesThatTouchAlongACurveDoNotTearIt) {
         EXPECT_NEAR(seen[i], length, 0.01 * length) << i;
     }
     EXPECT_GE(in_front, 8);
+}
+
+TEST_F(Brep, SolidsOfOneProductArePartsOfTheirOwn) {
+    TopoDS_Compound both;
+    const BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+    gp_Trsf beside;
+    beside.SetTranslation(gp_Vec(5, 0, 0));
+    builder.Add(both, BRepPrimAPI_MakeCylinder(1, 2).Shape().Moved(beside));
+    const LoadedMesh step = load("a.stp", to_step({{"pair", both, {gp_Trsf{}}, 1, 0, 0}}));
+    ASSERT_EQ(step.parts.size(), 4U);
+    EXPECT_EQ(step.parts[1].name, "pair");
+    EXPECT_EQ(step.parts[1].object, ModelPart::none);
+    EXPECT_EQ(step.parts[2].parent, 1U);
+    EXPECT_NE(step.parts[2].name, step.parts[3].name);
+    EXPECT_EQ(step.parts[3].object, 1U);
+    EXPECT_NEAR(volume(step.mesh), 6 + 2 * 3.1416, 0.1);
+    EXPECT_NEAR(bounds_of(step.mesh).max.x, 6, 0.1);
+    for (const MeshGroup& group : step.mesh.groups) {
+        EXPECT_EQ(group.object.find("assembly/pair/"), 0U) << group.object;
+        ASSERT_TRUE(group.color);
+        EXPECT_NEAR(group.color->x, 1, 1e-5);
+    }
+    const LoadedMesh brep = load("a.brep", to_brep(both));
+    ASSERT_EQ(brep.parts.size(), 3U);
+    EXPECT_EQ(brep.parts[2].name, "body 2");
+    EXPECT_EQ(load("b.brep", to_brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape())).parts.size(), 1U);
 }
 
 TEST_F(Brep, AssembliesKeepNamesPlacesAndColours) {

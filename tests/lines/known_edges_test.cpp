@@ -73,12 +73,24 @@ TEST(KnownEdges, MarkedOnesAreCreasesAndLeaveOthersToAngles) {
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
 }
 
-TEST(KnownEdges, BetweenGroupsTheyAreMaterialLines) {
+TEST(KnownEdges, SmoothOnesAreTangentBesides) {
+    Mesh mesh = roof();
+    mesh.known_edges = {{0, 1, Kind::smooth}};
+    EXPECT_EQ(counts(mesh)[LA_KIND_TANGENT], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_SILHOUETTE], 1U);
+    EXPECT_EQ(counts(mesh, {.lines = usual_line_kinds})[LA_KIND_TANGENT], 0U);
+    EXPECT_EQ(counts(mesh, {.smooth_edges = true})[LA_KIND_TANGENT], 0U) << "a crease already";
+    mesh.known_edges[0].kind = Kind::sharp;
+    EXPECT_EQ(counts(mesh)[LA_KIND_TANGENT], 0U);
+}
+
+TEST(KnownEdges, BetweenGroupsSmoothOnesAreMaterialLines) {
     Mesh mesh = roof();
     mesh.triangle_group = {0, 1};
     mesh.groups.resize(2);
     mesh.known_edges = {{0, 1, Kind::sharp}};
-    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
+    EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 0U);
     mesh.known_edges[0].kind = Kind::smooth;
     EXPECT_EQ(counts(mesh)[LA_KIND_MATERIAL], 1U);
 }

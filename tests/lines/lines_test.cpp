@@ -207,16 +207,18 @@ TEST(ExtractLines, TrianglesKeepTheColorsOfTheirGroups) {
 TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
     test::Random random{53};
     Mesh mesh = test::with_random_groups(test::height_field(random, 6, 1), random, 2);
-    add_random_polylines(mesh, random, 6);
+    add_random_polylines(mesh, random, 8);
     for (const PolylineKind kind :
-         {PolylineKind::file, PolylineKind::section, PolylineKind::hatching})
+         {PolylineKind::file, PolylineKind::section, PolylineKind::hatching, PolylineKind::trail})
         mesh.polyline_kind.insert(mesh.polyline_kind.end(), 2, kind);
     for (LineKindMask mask = 0; mask <= all_line_kinds; ++mask) {
         const LineSet lines = extract_lines(mesh, {.lines = mask, .crease = 0.5F});
         expect_sound(lines);
         for (std::uint32_t kind = 0; kind < LA_KIND_COUNT; ++kind) {
-            // Of one part, which passes through no other and is too coarse for ridges.
-            const bool there = (mask & 1U << kind & ~LA_KINDS_WITHIN) != 0;
+            // Of one part, which passes through no other and is too coarse for ridges; no file says
+            // more of it.
+            constexpr LineKindMask others = LA_KINDS_WITHIN | mask_of(LineKind::tangent);
+            const bool there = (mask & 1U << kind & ~others) != 0;
             EXPECT_EQ(lines.kind_counts[kind] > 0, there);
         }
     }

@@ -100,7 +100,7 @@ Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& ca
     renderer_.set_lines(drawing.set);
     canvas_.clear(glm::vec4{1});
     options.forms.atlas = GetParam().form;
-    if (options.lines == all_line_kinds) options.lines = mask_of(LineKind::file);
+    if (!options.lines) options.lines = mask_of(LineKind::file);
     renderer_.draw(camera, options, canvas_.framebuffer());
     drawing.runs = renderer_.read_samples().runs;
     drawing.pixels = canvas_.read();

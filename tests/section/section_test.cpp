@@ -478,5 +478,26 @@ TEST(Sections, PlanesAsText) {
     }
 }
 
+/// Hatching of a cut, by the size that lines across it have on the way.
+TEST(Section, HatchingIsAsDenseAsTheCutIsLarge) {
+    const auto lines = [](float size, const Mesh& beside) {
+        Mesh mesh = test::cube();
+        for (glm::vec3& position : mesh.positions) position *= size;
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), beside.positions.begin(),
+                              beside.positions.end());
+        for (const glm::uvec3 t : beside.triangles) mesh.triangles.push_back(t + first);
+        return polylines(cut(mesh, {0.4 * static_cast<double>(size), 0, 0}, {1, 0, 0}).mesh,
+                         PolylineKind::hatching)
+            .size();
+    };
+    const std::size_t alone = lines(1, {});
+    EXPECT_GT(alone, 20U);
+    EXPECT_EQ(lines(100, {}), alone);
+    Mesh far = test::cube(); // the plane misses it
+    for (glm::vec3& position : far.positions) position.x -= 1000;
+    EXPECT_EQ(lines(1, far), alone);
+}
+
 } // namespace
 } // namespace lineatlas

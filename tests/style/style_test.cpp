@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "lineatlas/error.hpp"
+#include "lineatlas/lines.hpp"
 #include "style/settings.hpp"
 
 namespace fs = std::filesystem;
@@ -67,9 +68,11 @@ const std::map<std::string, std::string>& samples() {
         {"overshoot-variation", "1"},
         {"undershoot", "8"},
         {"halo", "9"},
+        {"more-lines", "centre,ridge"},
+        {"centre-overhang", "3"},
         {"density", "0.25"},
         {"hidden-density", "0.25"},
-        {"density-priority", "0,0.25,0.5,0.75,1,0.125,1,0.5,0.25,0"},
+        {"density-priority", "0,0.25,0.5,0.75,1,0.125,1,0.5,0.25,0,1,0,0.5"},
         {"fill", "toon"},
         {"fill-color", "0.1,0.2,0.3"},
         {"light", "-1,2,0.5"},
@@ -173,11 +176,13 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_EQ(style.filter.fill_holes, 5);
     EXPECT_EQ(style.filter.drop_runs, 6);
     EXPECT_EQ(style.filter.overshoot, 7);
+    EXPECT_EQ(style.more_lines, mask_of(LineKind::centre) | mask_of(LineKind::ridge));
+    EXPECT_EQ(style.centre_overhang, 3);
     EXPECT_EQ(style.filter.undershoot, 8);
     EXPECT_EQ(style.filter.halo, 9);
     EXPECT_EQ(style.density.limit, 0.25F);
-    EXPECT_EQ(style.density.priority,
-              (std::array<float, 10>{0, 0.25F, 0.5F, 0.75F, 1, 0.125F, 1, 0.5F, 0.25F, 0}));
+    EXPECT_EQ(style.density.priority, (std::array<float, 13>{0, 0.25F, 0.5F, 0.75F, 1, 0.125F, 1,
+                                                             0.5F, 0.25F, 0, 1, 0, 0.5F}));
     EXPECT_EQ(style.fill.mode, FillMode::toon);
     EXPECT_EQ(style.fill.color, glm::vec3(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(style.fill.light, glm::vec3(-1, 2, 0.5F));
@@ -252,7 +257,7 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
                                "opacity-profile=1,1.5",
                                "width-profile=1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1",
                                "density-priority=1,1,1,1,1",
-                               "density-priority=1,1,1,1,1,1,1,1,1,2",
+                               "density-priority=1,1,1,1,1,1,1,1,1,1,1,1,2",
                                "light=0,0,0",
                                "light=1,2",
                                "light=nan,0,1",
@@ -326,6 +331,11 @@ std::vector<Misuse> misuses() {
     add_number("overshoot-variation", filter(&StrokeFilter::overshoot_variation), -1, 1.1F);
     add_number("undershoot", filter(&StrokeFilter::undershoot), -1, 10'001);
     add_number("halo", filter(&StrokeFilter::halo), -4, 10'001);
+    add_number(
+        "centre-overhang", [](Style& s) -> float& { return s.centre_overhang; }, -1, 10'001);
+    add(
+        "more-lines", [](Style& s) -> std::uint32_t& { return s.more_lines; },
+        std::uint32_t{1} << 31U);
     const auto number = [&](const std::string& key, auto member, float below, float above) {
         add_number(
             key, [member](Style& s) -> float& { return member(s); }, below, above);
@@ -335,7 +345,7 @@ std::vector<Misuse> misuses() {
     number(
         "hidden-density", [](Style& s) -> float& { return s.hidden_density; }, -1, 101);
     number(
-        "density-priority", [](Style& s) -> float& { return s.density.priority[9]; }, -1, 2);
+        "density-priority", [](Style& s) -> float& { return s.density.priority[12]; }, -1, 2);
     add(
         "fill", [](Style& s) -> FillMode& { return s.fill.mode; }, FillMode{4});
     add_color("fill-color", [](Style& s) -> glm::vec3& { return s.fill.color; });

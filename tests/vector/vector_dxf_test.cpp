@@ -110,6 +110,23 @@ TEST(Dxf, LayersHaveThePensOfTheirLines) {
     EXPECT_NEAR(number(types[3], 49), 3, 1e-9);
 }
 
+TEST(Dxf, ChainsAreDashesAndDots) {
+    VectorDrawing drawing = example();
+    drawing.style.pen.mark = "chain";
+    drawing.pens = {drawing.style.pen};
+    const std::string dxf = to_dxf(drawing, on_page);
+    const auto types = objects(dxf, "TABLES", "LTYPE");
+    ASSERT_EQ(types.size(), 5U);
+    EXPECT_EQ(value(types[4], 2), "CENTER2");
+    EXPECT_EQ(value(types[4], 73), "4");
+    EXPECT_NEAR(number(types[4], 40), 30.5, 1e-9); // 24, 3, a half and 3 widths of a millimetre
+    std::vector<double> lengths;
+    for (const Group& group : types[4])
+        if (group.code == 49) lengths.push_back(std::stod(group.value));
+    EXPECT_EQ(lengths, (std::vector<double>{24, -3, 0.5, -3}));
+    EXPECT_EQ(value(objects(dxf, "TABLES", "LAYER").back(), 6), "CENTER2");
+}
+
 TEST(Dxf, MillimetresFromTheLowerLeftCorner) {
     const std::string dxf = to_dxf(example(), on_page);
     const auto lines = objects(dxf, "ENTITIES", "LINE");

@@ -64,11 +64,14 @@ TEST(Overlaps, OfTwoEqualLinesTheOneThatMattersMoreStays) {
         return path_through(kind, visible, line, depth);
     };
     EXPECT_TRUE(kept(path(LineKind::file, false), path(LineKind::silhouette, true)).visible);
-    const std::vector<LineKind> order{LineKind::file, LineKind::boundary, LineKind::material,
-                                      LineKind::crease, LineKind::silhouette};
+    const std::vector<LineKind> order{LineKind::file,     LineKind::boundary,   LineKind::crease,
+                                      LineKind::material, LineKind::silhouette, LineKind::tangent,
+                                      LineKind::trail,    LineKind::centre};
     for (std::size_t i = 1; i < order.size(); ++i) {
         EXPECT_EQ(kept(path(order[i], true, 0.1), path(order[i - 1], true)).kind, order[i - 1]);
     }
+    EXPECT_FALSE(kept(path(LineKind::centre, true), path(LineKind::crease, false)).visible)
+        << "ISO 128-2: edges, hidden edges, centre lines";
     EXPECT_EQ(
         kept(path(LineKind::crease, true, 0.6), path(LineKind::crease, true, 0.4)).points[0].depth,
         0.4);

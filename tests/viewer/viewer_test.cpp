@@ -54,7 +54,7 @@ TEST_F(Viewer, StyleFilesAreDropped) {
 TEST_F(Viewer, KindsOfLineAreSwitchedLive) {
     const auto all = picture();
     hand_.click("lines.crease");
-    EXPECT_EQ(session().settings.lines, all_line_kinds & ~mask_of(LineKind::crease));
+    EXPECT_EQ(session().settings.lines, usual_line_kinds & ~mask_of(LineKind::crease));
     EXPECT_NE(picture(), all);
     hand_.click("lines.crease");
     EXPECT_EQ(picture(), all);

@@ -47,7 +47,8 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
                                      .depth_scale = 1,
                                      .tolerance = 0,
                                      .numbered = args.numbers != nullptr ? 1U : 0U,
-                                     .batched = args.batches != nullptr ? args.batches->count : 0};
+                                     .batched = args.batches != nullptr ? args.batches->count : 0,
+                                     .overhang = args.centre_overhang};
     if (const OcclusionTest* test = args.occlusion) {
         parameters.hidden = test->keep_clipped ? LA_HIDDEN_CLIPPED : LA_HIDDEN_DROPPED;
         parameters.tile_count = test->tile_count;

@@ -35,6 +35,7 @@ struct ProjectClipArgs {
     Buffer* numbers = nullptr;
     /// What is known of batches of the first segments; null: each is looked at alone.
     const BatchTable* batches = nullptr;
+    float centre_overhang = 0; ///< pixels that centre lines are longer at either end
 };
 
 enum class ScanKind {

@@ -20,8 +20,8 @@
 namespace lineatlas {
 
 /// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
-/// section, boundary (non-manifold edges included), material, crease, silhouette. docs/lines.md has
-/// the rules.
+/// section, boundary (non-manifold edges included), crease, material, silhouette; it may be tangent
+/// besides. docs/lines.md has the rules.
 enum class LineKind : std::uint32_t {
     crease = LA_KIND_CREASE,         ///< bent, by the rule of `LineOptions::crease`
     boundary = LA_KIND_BOUNDARY,     ///< an edge of one triangle, or of more than two
@@ -34,17 +34,27 @@ enum class LineKind : std::uint32_t {
     /// Along the crest of a surface that nobody designed, as of a scan; no edge.
     ridge = LA_KIND_RIDGE,
     valley = LA_KIND_VALLEY, ///< the same along its furrows
+    /// Where faces of a file go over into each other (KnownEdge::Kind::smooth), two surfaces and
+    /// not one that is cut in two.
+    tangent = LA_KIND_TANGENT,
+    /// The axis of a round surface of Mesh::surfaces; its mark, two lines across, where it is seen
+    /// end on. No edge.
+    centre = LA_KIND_CENTRE,
+    trail = LA_KIND_TRAIL, ///< from where a part belongs to where explode() has moved it; no edge
 };
 
 /// The names of LineKind in the order of its numbers, as options and files have them.
 inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
-    "crease",       "boundary", "material", "silhouette", "file",
-    "intersection", "section",  "hatching", "ridge",      "valley"};
+    "crease",   "boundary", "material", "silhouette", "file",   "intersection", "section",
+    "hatching", "ridge",    "valley",   "tangent",    "centre", "trail"};
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
 /// Every kind there is.
 inline constexpr LineKindMask all_line_kinds = (1U << LA_KIND_COUNT) - 1;
+/// The kinds that drawings have where nobody asks for others: Style::more_lines adds to them.
+inline constexpr LineKindMask usual_line_kinds =
+    all_line_kinds & ~(1U << LA_KIND_TANGENT | 1U << LA_KIND_CENTRE);
 /// The set of that kind alone.
 constexpr LineKindMask mask_of(LineKind kind) {
     return 1U << static_cast<std::uint32_t>(kind);
@@ -92,7 +102,8 @@ struct LineSource {
     std::uint32_t from = none; ///< index into Mesh::positions of the segment's start p
     std::uint32_t to = none;   ///< index into Mesh::positions of its end q
     /// Index into Mesh::triangles of one that has both; for a ridge or valley of the one that it
-    /// runs through, while `from` and `to` are none; none for a file's polyline.
+    /// runs through, while `from` and `to` are none; for a
+    /// centre line one of its surface, likewise; none for a file's polyline.
     std::uint32_t triangle = none;
     /// For an intersection the other one of the two triangles, while `from` and `to` are none.
     std::uint32_t crossing = none;
@@ -129,6 +140,7 @@ struct LineTimes {
     double seams = 0;         ///< finding where faces go on
     double intersections = 0; ///< of parts
     double ridges = 0;        ///< and valleys
+    double centres = 0;       ///< of round surfaces
 };
 
 /// Where silhouettes of smooth surfaces may run: one segment through a triangle, from edge to edge,
@@ -168,7 +180,7 @@ struct LineSet {
     std::vector<MeshGroup> groups{};                  ///< of the mesh
     std::vector<std::uint32_t> triangle_group{};      ///< per triangle, into `groups`; or empty
     /// Per vertex one of the mesh's positions that were welded into it; for a cut vertex the nearer
-    /// end of its edge.
+    /// end of its edge, for an end of a centre line one of its surface.
     std::vector<std::uint32_t> vertex_sources{};
     std::vector<std::uint32_t> triangle_sources{}; ///< per triangle, index into Mesh::triangles
     /// With LineOptions::separate_objects; their vertices come in this order.

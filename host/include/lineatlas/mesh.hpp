@@ -54,6 +54,7 @@ enum class PolylineKind : std::uint8_t {
     file,     ///< a line that the file has, or the program's own
     section,  ///< a part of the outline of a cut (lineatlas/section.hpp)
     hatching, ///< on the face of a cut
+    trail,    ///< of a part that explode() has moved (lineatlas/explode.hpp)
 };
 
 /// An indexed triangle soup with optional polylines, as read from a file or built by a program.

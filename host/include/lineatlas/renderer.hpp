@@ -94,9 +94,10 @@ struct FrameOptions {
     /// set's triangles; `depth_scale` and the form of `depth` have no effect then. Methods atlas
     /// and spine only.
     std::optional<DepthTexture> own_depth{};
-    float step = 2;                      ///< k: pixels between samples, 0.01 to 10000 (§4.1)
-    LineKindMask lines = all_line_kinds; ///< what is drawn of the kinds extracted
-    StageForms forms{};                  ///< where stages run
+    float step = 2; ///< k: pixels between samples, 0.01 to 10000 (§4.1)
+    /// What is drawn of the kinds extracted. Nothing: the usual ones and Style::more_lines.
+    std::optional<LineKindMask> lines{};
+    StageForms forms{}; ///< where stages run
     /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
     /// only the last three; item_buffer, like atlas, joins and caps too.
     Style style{};

@@ -27,7 +27,8 @@ LINEATLAS_API SectionPlane parse_section(std::string_view text, const Bounds& bo
 
 /// How the faces of cuts are hatched (ISO 128-50).
 struct Hatching {
-    double spacing = 0; ///< between lines, model units; 0: a fortieth of the model's diagonal
+    double spacing = 0; ///< between lines, model units; 0: a fortieth of the size of the cut, less
+                        ///< on small parts
     double angle = 45;  ///< degrees, for the first part; other parts have other angles
     bool none = false;  ///< faces stay blank
 };

@@ -33,8 +33,8 @@ using Profile = std::vector<float>;
 
 /// What a line is drawn with. Lengths are in pixels.
 struct Pen {
-    /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted) or an image file: its
-    /// darkness is coverage, u along the stroke at a constant rate, v across it.
+    /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted, chain) or an image
+    /// file: its darkness is coverage, u along the stroke at a constant rate, v across it.
     std::string mark = "solid";
     float width = 2;          ///< above 0, at most 1000
     glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
@@ -129,6 +129,12 @@ struct Style {
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
     StrokeFilter filter{}; ///< changes along the lines; lengths from 0 to 10000 pixels
     Density density{};     ///< what is left out where lines are dense; Density::limit 0 to 100
+    /// Kinds of line that it draws besides the usual ones: a LineKindMask. Of lines extracted
+    /// without them there is nothing to draw.
+    std::uint32_t more_lines = 0;
+    /// Pixels that centre lines are longer at either end than what they are the axis of, 0 to
+    /// 10000: 3 mm on paper.
+    float centre_overhang = 11.34F;
     /// Pixels of hidden line per pixel at most, where `hidden` draws them, by the priorities of
     /// `density`; 0: any, 100 at most.
     float hidden_density = 0;

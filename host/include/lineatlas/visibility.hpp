@@ -24,13 +24,14 @@ class Assembly;
 
 /// Which pieces of lines LineVisibility finds.
 struct VisibilityOptions {
-    LineKindMask lines = all_line_kinds; ///< kinds to find, of those extracted
+    LineKindMask lines = usual_line_kinds; ///< kinds to find, of those extracted
     bool hidden = false; ///< also hidden pieces; all pieces together are every line in the picture
     /// Pixels, 0.01 to 10000: a line of one segment that is shorter is left out, as with
     /// FrameOptions::step.
     float step = 2;
     bool outlines = false;   ///< find what LineVisibility::outlines() returns
     float outline_depth = 6; ///< for the same, pixels, at least 0: thinner bodies have no outline
+    float centre_overhang = 0; ///< Style::centre_overhang, pixels, at least 0
 };
 
 /// Finds the visible pieces of lines by the exact method (Method::exact): the same intervals as a

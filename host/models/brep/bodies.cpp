@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -84,12 +85,17 @@ TopoDS_Shape without_place(const TopoDS_Shape& shape) {
 
 class Bodies {
   public:
-    Bodies(Assembly& assembly, const ShapeNames& names, double tolerance)
+    Bodies(Assembly& assembly, const ShapeNames& names, std::optional<double> tolerance)
         : assembly_(assembly), names_(names), tolerance_(tolerance),
           colors_(std::make_unique<SewnColors>(std::move(assembly.colors))) {}
 
-    void sew() {
-        collect_loose();
+    void find() {
+        if (tolerance_) {
+            collect_loose();
+        } else {
+            old_parts_ = std::exchange(assembly_.parts, {});
+            old_instances_ = std::exchange(assembly_.instances, {});
+        }
         // Parts of bodies stand right behind the part that they are in.
         std::vector<std::uint32_t> moved(old_parts_.size());
         std::vector<std::vector<const Instance*>> instances(old_parts_.size());
@@ -156,13 +162,15 @@ class Bodies {
     void place(const Instance& instance, std::uint32_t part) {
         std::vector<TopoDS_Shape> bodies;
         find_bodies(instance.shape, 0, bodies);
+        if (!tolerance_ && std::ranges::count_if(bodies, has_solid) < 2) bodies = {instance.shape};
         int number = 0;
         for (const TopoDS_Shape& body : bodies) {
             const TopoDS_Shape here = body.Located(TopLoc_Location());
+            if (!tolerance_ && !body.Location().IsIdentity()) keep_colors(body, here);
             Instance placed{.part = part,
-                            .shape = sewn(here),
+                            .shape = tolerance_ ? sewn(here) : here,
                             .location = instance.location * body.Location(),
-                            .color = instance.color};
+                            .color = bodies.size() > 1 ? color_of(body, instance) : instance.color};
             if (bodies.size() > 1) {
                 placed.part = static_cast<std::uint32_t>(assembly_.parts.size());
                 const std::string* name = names_.Seek(here);
@@ -173,6 +181,23 @@ class Bodies {
             }
             assembly_.instances.push_back(std::move(placed));
         }
+    }
+
+    std::optional<glm::vec3> color_of(const TopoDS_Shape& body, const Instance& instance) const {
+        const std::optional<glm::vec3> own = tolerance_ ? std::nullopt : colors_->color(body);
+        return own ? own : instance.color;
+    }
+
+    /// Faces are known with the place that they have in the file's shape.
+    void keep_colors(const TopoDS_Shape& body, const TopoDS_Shape& here) {
+        TopExp_Explorer faces(here, TopAbs_FACE);
+        for (TopExp_Explorer each(body, TopAbs_FACE); each.More(); each.Next(), faces.Next())
+            if (const auto color = colors_->color(each.Current()))
+                colors_->add(faces.Current(), *color);
+    }
+
+    static bool has_solid(const TopoDS_Shape& body) {
+        return TopExp_Explorer(body, TopAbs_SOLID).More();
     }
 
     /// A group that holds no group is one body.
@@ -229,14 +254,14 @@ class Bodies {
         constexpr double share = 1e-5, wide_share = 1e-4;
         const auto sewn_within = [&](double reach) {
             const Handle(BRepBuilderAPI_Sewing) sewing =
-                new BRepBuilderAPI_Sewing(std::max(tolerance_, reach));
+                new BRepBuilderAPI_Sewing(std::max(*tolerance_, reach));
             for (const TopoDS_Shape& face : faces) sewing->Add(face);
             sewing->Perform();
             return sewing;
         };
         const Handle(BRepBuilderAPI_Sewing) narrow = sewn_within(share * size);
         if (narrow->SewedShape().IsNull() || narrow->NbFreeEdges() == 0 ||
-            wide_share * size <= tolerance_)
+            wide_share * size <= *tolerance_)
             return narrow;
         const Handle(BRepBuilderAPI_Sewing) wide = sewn_within(wide_share * size);
         const bool better =
@@ -275,7 +300,7 @@ class Bodies {
 
     Assembly& assembly_;
     const ShapeNames& names_;
-    double tolerance_;
+    std::optional<double> tolerance_; ///< of sewing; nothing: nothing is sewn
     std::unique_ptr<SewnColors> colors_;
     std::vector<ModelPart> old_parts_;
     std::vector<Instance> old_instances_;
@@ -285,7 +310,11 @@ class Bodies {
 } // namespace
 
 void sew_bodies(Assembly& assembly, const ShapeNames& names, double tolerance) {
-    Bodies{assembly, names, tolerance}.sew();
+    Bodies{assembly, names, tolerance}.find();
+}
+
+void part_bodies(Assembly& assembly, const ShapeNames& names) {
+    Bodies{assembly, names, std::nullopt}.find();
 }
 
 } // namespace lineatlas::brep

@@ -19,4 +19,8 @@ using ShapeNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_Shape
 /// curves that are in no group become one part each.
 void sew_bodies(Assembly& assembly, const ShapeNames& names, double tolerance);
 
+/// Files of solids (STEP, BREP): of a part that holds several solids each becomes a part in it,
+/// and so does what lies beside them. Nothing is sewn.
+void part_bodies(Assembly& assembly, const ShapeNames& names);
+
 } // namespace lineatlas::brep

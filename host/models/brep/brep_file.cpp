@@ -5,6 +5,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 
+#include "bodies.hpp"
 #include "memory_stream.hpp"
 
 namespace lineatlas::brep {
@@ -33,6 +34,7 @@ Assembly read_brep(std::string_view file) {
                                   .shape = shape.Located(TopLoc_Location()),
                                   .location = shape.Location(),
                                   .color = std::nullopt});
+    part_bodies(assembly, {});
     return assembly;
 }
 

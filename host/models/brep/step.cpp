@@ -11,8 +11,10 @@
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TransferBRep.hxx>
@@ -20,6 +22,7 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include "bodies.hpp"
 #include "document_tree.hpp"
 #include "memory_stream.hpp"
 #include "models/part_names.hpp"
@@ -82,14 +85,25 @@ bool has_shapes(const Assembly& assembly) {
     });
 }
 
-/// The numbers that faces and edges have in the file.
-void find_entities(STEPCAFControl_Reader& reader, Entities& entities) {
+/// What the file calls a body, if it does.
+void find_name(const Handle(Standard_Transient) & entity, const TopoDS_Shape& body,
+               ShapeNames& names) {
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);
+    if (item.IsNull() || item->Name().IsNull()) return;
+    const std::string name = models::part_name(item->Name()->ToCString(), "");
+    if (!name.empty() && name != "NONE") names.Bind(body.Located(TopLoc_Location()), name);
+}
+
+/// The numbers that faces and edges have in the file, and the names of bodies.
+void find_entities(STEPCAFControl_Reader& reader, Entities& entities, ShapeNames& names) {
     const Handle(XSControl_WorkSession) session = reader.Reader().WS();
     const auto model = Handle(StepData_StepModel)::DownCast(session->Model());
     const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
     if (model.IsNull() || process.IsNull()) return;
     for (int i = 1; i <= process->NbMapped(); ++i) {
         const TopoDS_Shape shape = TransferBRep::ShapeResult(process->MapItem(i));
+        if (!shape.IsNull() && shape.ShapeType() < TopAbs_FACE)
+            find_name(process->Mapped(i), shape, names);
         if (shape.IsNull() ||
             (shape.ShapeType() != TopAbs_FACE && shape.ShapeType() != TopAbs_EDGE))
             continue;
@@ -129,8 +143,10 @@ Assembly read_step(std::string_view file) {
     assembly.format = format_of(file);
     assembly.unit = 1;
     note_unit(reader, assembly);
-    find_entities(reader, assembly.entities);
+    ShapeNames names;
+    find_entities(reader, assembly.entities, names);
     read_document(document, assembly);
+    part_bodies(assembly, names);
     if (const std::string others = other_files(reader); !others.empty()) {
         const std::string cause = "in other files, which are not read: " + others;
         if (!has_shapes(assembly)) throw std::runtime_error("its parts are " + cause);

@@ -83,8 +83,11 @@ void draw(cairo_t* context, const Strokes& strokes) {
     cairo_set_line_join(context, join_of(strokes.join));
     cairo_set_miter_limit(context, strokes.mitre_limit);
     cairo_set_line_cap(context, strokes.round_caps ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-    cairo_set_dash(context, strokes.dashes.data(), static_cast<int>(strokes.dashes.size()), 0);
-    for (const Way& way : strokes.ways) draw(context, way);
+    const auto dashes = static_cast<int>(strokes.dashes.size());
+    for (const Way& way : strokes.ways) {
+        cairo_set_dash(context, strokes.dashes.data(), dashes, way.dash_offset);
+        draw(context, way);
+    }
 }
 
 /// Height of its capital letters, by its size: cairo's own font, which every machine has, knows

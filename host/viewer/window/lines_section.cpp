@@ -13,8 +13,9 @@ namespace {
 
 /// In the order of line_kind_names.
 constexpr std::array<const char*, line_kind_names.size()> labels{
-    "Creases",       "Boundaries", "Materials", "Silhouettes", "Lines of the file",
-    "Intersections", "Sections",   "Hatching",  "Ridges",      "Valleys"};
+    "Creases",       "Boundaries",   "Materials", "Silhouettes", "Lines of the file",
+    "Intersections", "Sections",     "Hatching",  "Ridges",      "Valleys",
+    "Tangent edges", "Centre lines", "Trails"};
 
 constexpr std::array<const char*, line_kind_names.size()> what{
     "Edges where faces bend",
@@ -83,13 +84,14 @@ void silhouettes_row(Ui& ui) {
 
 void draw_lines_section(Ui& ui) {
     if (!section(ui, "lines", "Lines")) return;
-    LineKindMask& lines = ui.session.settings.lines;
+    Settings& settings = ui.session.settings;
+    const LineKindMask lines = drawn_kinds(settings.lines, settings.style);
     bool changed = false;
     for (std::size_t kind = 0; kind < labels.size(); ++kind) {
         bool on = (lines >> kind & 1U) != 0;
         const std::string id = fmt::format("lines.{}", line_kind_names.at(kind));
         if (checkbox(ui, id.c_str(), labels.at(kind), on)) {
-            lines ^= 1U << kind;
+            settings.lines = lines ^ 1U << kind;
             changed = true;
         }
         tip(ui, what.at(kind));

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "lineatlas/export.hpp"
+#include "lineatlas/io.hpp"
+
+namespace lineatlas {
+
+/// Where a part goes in place of outwards.
+struct PartMove {
+    /// A name, or names that follow each other in its path: "Bolt*" is any bolt, and what is in it
+    /// goes with it. `*` stands for any letters, `?` for one.
+    std::string part;
+    glm::dvec3 by{0}; ///< in model units, beside what the assembly does that the part is in
+};
+
+/// How far parts of a model stand apart.
+struct Explosion {
+    /// Each part stands so many times as far from the middle of the assembly that it is in, 1 to
+    /// 100; the middles are those of boxes along the axes.
+    double factor = 1;
+    std::vector<PartMove> moves{}; ///< the last one that names a part counts for it
+    bool trails =
+        true; ///< polylines (PolylineKind::trail) from where parts belong to where they are
+};
+
+/// Moves the parts of a model apart, by its tree (LoadedMesh::parts) or, where it has none, by the
+/// names of its groups. Surfaces, curves and lines of a part go with it; a position that several
+/// parts share becomes several. Throws UsageError for a factor out of range, a move that is not
+/// finite, and a name that no part has.
+LINEATLAS_API void explode(LoadedMesh& model, const Explosion& explosion);
+
+} // namespace lineatlas

@@ -1,0 +1,42 @@
+#include "lineatlas/explode.hpp"
+
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "model.hpp"
+#include "process.hpp"
+
+namespace lineatlas::python {
+namespace {
+
+using Moves = std::map<std::string, std::array<double, 3>>;
+using MovesArgument =
+    Argument<Moves, "moves", "a dictionary of names of parts and three numbers each">;
+
+std::shared_ptr<Model> exploded(const Model& model, Real<"factor"> factor,
+                                const MovesArgument& moves, Flag<"trails"> trails) {
+    const Released released;
+    Explosion explosion{.factor = static_cast<double>(*factor), .trails = trails};
+    for (const auto& [part, by] : *moves)
+        explosion.moves.push_back({.part = part, .by = {by[0], by[1], by[2]}});
+    LoadedMesh loaded{.mesh = model.mesh, .parts = model.parts};
+    explode(loaded, explosion);
+    return std::make_shared<Model>(Model{.mesh = std::move(loaded.mesh),
+                                         .notes = model.notes,
+                                         .origin = model.origin,
+                                         .parts = model.parts});
+}
+
+} // namespace
+
+void bind_explode(py::class_<Model, std::shared_ptr<Model>>& mesh) {
+    mesh.def(
+        "exploded", &exploded, py::arg("factor") = 1.5F, py::kw_only(), py::arg("moves") = Moves{},
+        py::arg("trails") = true,
+        "Its parts apart: each stands `factor` times as far from the middle of the assembly\n"
+        "that it is in, 1 to 100. moves: for parts of a name, as \"Bolt*\", what they move by\n"
+        "instead, in the model's unit. trails: lines from where parts belong to where they\n"
+        "are, LineKind.trail.");
+}
+
+} // namespace lineatlas::python
