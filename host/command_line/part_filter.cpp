@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "base/name_pattern.hpp"
 #include "base/printable.hpp"
-#include "core/name_pattern.hpp"
 #include "io/part_paths.hpp"
 #include "lineatlas/error.hpp"
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/name_pattern.hpp"
 #include "flags.h"
 #include "lineatlas/error.hpp"
-#include "name_pattern.hpp"
 #include "style_lengths.hpp"
 
 namespace lineatlas {

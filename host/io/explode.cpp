@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/name_pattern.hpp"
 #include "base/printable.hpp"
-#include "core/name_pattern.hpp"
 #include "lineatlas/error.hpp"
 #include "part_paths.hpp"
 

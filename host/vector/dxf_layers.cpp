@@ -56,10 +56,15 @@ int whole_color(glm::vec3 color) {
     return bytes.x << 16 | bytes.y << 8 | bytes.z;
 }
 
+/// The scales of a sheet's views differ by rounding.
+bool is_same_length(double a, double b) {
+    return std::abs(a - b) <= 1e-6 * a;
+}
+
 /// "DASHED" for the first pattern; "CENTER" of those with dots, as other programs call them.
 const std::string& linetype_of(const std::vector<double>& dashes, std::vector<DxfLinetype>& known) {
     for (const DxfLinetype& type : known)
-        if (type.dashes == dashes) return type.name;
+        if (std::ranges::equal(type.dashes, dashes, is_same_length)) return type.name;
     const std::string number = known.empty() ? "" : std::to_string(known.size() + 1);
     known.push_back({(dashes.size() > 2 ? "CENTER" : "DASHED") + number, dashes});
     return known.back().name;

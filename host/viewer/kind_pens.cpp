@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/name_pattern.hpp"
 #include "core/line_pens.hpp"
-#include "core/name_pattern.hpp"
 #include "parts.hpp"
 
 namespace lineatlas::viewer {

@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/name_pattern.hpp"
+#include "base/name_pattern.hpp"
 #include "cuts.hpp"
 
 namespace lineatlas::viewer {

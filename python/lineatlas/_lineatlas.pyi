@@ -85,7 +85,7 @@ class Mesh:
         self,
         factor: float = 1.5,
         *,
-        moves: dict[str, Sequence[float]] = ...,
+        moves: dict[str, Sequence[float]] = {},
         trails: bool = True,
     ) -> Mesh: ...
 

@@ -5,7 +5,7 @@
 #include <fnmatch.h>
 #include <gtest/gtest.h>
 
-#include "core/name_pattern.hpp"
+#include "base/name_pattern.hpp"
 
 namespace lineatlas::test {
 namespace {

@@ -107,6 +107,36 @@ class RoundThings : public Brep {
     }
 };
 
+// One half of the bore is red, so that faces of two colours meet at half of its rim.
+TEST_F(RoundThings, ACircleBesideTwoColoursIsOneCircle) {
+    const TopoDS_Shape bore = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+    const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(20, 10).Shape();
+    Mesh mesh = load("a.brep", to_brep(BRepAlgoAPI_Cut(disc, bore).Shape())).mesh;
+    mesh.groups = {{.object = "", .material = "steel"}, {.object = "", .material = "paint"}};
+    mesh.triangle_group.clear();
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto is_painted = [&](std::uint32_t corner) {
+            const glm::vec3 at = mesh.positions[corner];
+            return at.x > -1e-4F && glm::length(glm::vec2{at}) < 5.001F;
+        };
+        mesh.triangle_group.push_back(is_painted(t.x) && is_painted(t.y) && is_painted(t.z) ? 1
+                                                                                            : 0);
+    }
+    const LineSet lines = extract_lines(mesh);
+    const View view = frame_points_from(view_direction("top", up), lines.vertices, {800, 800},
+                                        View{}.fov_y, Projection::orthographic);
+    const Camera camera = make_camera(view, {800, 800}, lines.bounds);
+    LineVisibility visibility{lines};
+    const VectorDrawing drawing =
+        make_vector_drawing(lines, camera, visibility.find(camera), {}, {.mesh = &mesh});
+    EXPECT_EQ(drawing.paths.size(), 2U);
+    for (const VectorPath& path : drawing.paths) EXPECT_NE(path.kind, LineKind::material);
+    const std::vector<double> radii = circles(drawing, scale_of(view, 800));
+    ASSERT_EQ(radii.size(), 2U);
+    EXPECT_NEAR(radii[0], 5, 1e-4);
+    EXPECT_NEAR(radii[1], 20, 1e-4);
+}
+
 TEST_F(RoundThings, AConeHasTwoLinesThatMeetAtItsTip) {
     constexpr double height = 20;
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, height).Shape();

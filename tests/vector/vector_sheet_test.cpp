@@ -259,6 +259,15 @@ TEST(Sheet, PensAreAsWideOnEveryPage) {
     }
 }
 
+TEST(Sheet, ViewsShareALinetype) {
+    Style style;
+    style.pen.mark = "chain";
+    const SheetOptions options{.views = {"front", "top", "right", "isometric", "30,20"}};
+    const std::string dxf = to_dxf(Box{}.sheet(options, style));
+    EXPECT_NE(dxf.find("\nCENTER\n"), std::string::npos);
+    EXPECT_EQ(dxf.find("\nCENTER2\n"), std::string::npos);
+}
+
 TEST(Sheet, PictorialViewsShowNoHiddenLines) {
     Style style;
     style.hidden = true;
