@@ -44,7 +44,7 @@ export interface MeshArrays {
   polylines?: Numbers[];
 }
 
-/** Told what share is done, 0 to 1; `false` ends the call with an AbortError. */
+/** Told what share is done, 0 to 1; `false` ends the call with an AbortError. It must not call this package. */
 export type Progress = (done: number) => boolean | void;
 
 export interface LinesOptions {

@@ -14,6 +14,7 @@ const encoder = new TextEncoder(), decoder = new TextDecoder();
 
 let wasm = null; // the exports of the module
 let told = null; // what the call that runs tells its progress to,
+let running = false; // whether it does that now,
 let thrown = null; // and what that threw
 
 // Addresses of the upper half of memory come as negative numbers.
@@ -53,11 +54,14 @@ const system = {
 const unknown = () => 52; // ENOSYS
 
 function tell(done) {
+  running = true;
   try {
     return told === null || told(done) !== false ? 1 : 0;
   } catch (error) {
     thrown = { error };
     return 0;
+  } finally {
+    running = false;
   }
 }
 
@@ -105,6 +109,7 @@ let broken = null; // why the module can no longer be used
 function call(name, ...args) {
   if (wasm === null) throw new Error('lineatlas: call init() and wait for it first');
   if (broken !== null) throw broken;
+  if (running) throw new Error('lineatlas: nothing can be called within progress');
   try {
     return wasm[name](...args);
   } catch (error) {
@@ -126,12 +131,13 @@ function check(well) {
   if (!well) throw failure();
 }
 
-function withProgress(progress, action) {
+/// A call that takes long. The page may do all but call the module meanwhile.
+function callWithProgress(progress, name, ...args) {
   if (progress !== undefined && typeof progress !== 'function') throw new Error('lineatlas: progress must be a function');
   told = progress ?? null;
   thrown = null;
   try {
-    return action();
+    return call(name, ...args);
   } finally {
     told = null;
   }
@@ -192,7 +198,15 @@ function choiceOf(name, names, what) {
   return index;
 }
 
+/// A vector, or a size: numbers of which there are so many.
+function listOf(value, count, what) {
+  const numbers = numbersOf(value, Float64Array, what);
+  if (numbers.length !== count) throw new Error(`lineatlas: ${what} must have ${count} numbers, not ${numbers.length}`);
+  return numbers;
+}
+
 function refuseUnknown(options, known, what) {
+  if (options === null || typeof options !== 'object') throw new Error(`lineatlas: ${what} must be an object with ${known.join(', ')}`);
   for (const key of Object.keys(options))
     if (!known.includes(key)) throw new Error(`lineatlas: ${what} has no "${key}"; it has ${known.join(', ')}`);
 }
@@ -200,8 +214,10 @@ function refuseUnknown(options, known, what) {
 const meshKeys = ['positions', 'stride', 'indices', 'materials', 'matrix', 'name', 'polylines'];
 
 function addMesh(model, mesh, number) {
-  const name = mesh.name ?? '', what = name === '' ? `mesh ${number}` : `mesh "${name}"`;
+  const name = mesh?.name ?? '', what = name === '' ? `mesh ${number}` : `mesh "${name}"`;
   refuseUnknown(mesh, meshKeys, what);
+  const { stride = 3 } = mesh;
+  if (!(Number.isInteger(stride) && stride >= 3)) throw new Error(`lineatlas: ${what}: stride must be a whole number of floats from 3`);
   withMemory(({ put, putText }) => {
     const list = (value, Type, key) => {
       if (value === undefined || value === null) return [0, 0];
@@ -210,7 +226,7 @@ function addMesh(model, mesh, number) {
     };
     const positions = mesh.indices?.length === 0 ? undefined : mesh.positions; // without any they would be corners as they come
     const matrix = mesh.matrix ? put(matrixOf(mesh.matrix, `${what}: matrix`)) : 0;
-    const well = call('la_add_mesh', model, ...putText(name), ...list(positions, Float32Array, 'positions'), mesh.stride ?? 3,
+    const well = call('la_add_mesh', model, ...putText(name), ...list(positions, Float32Array, 'positions'), stride,
       ...list(mesh.indices, Uint32Array, 'indices'), ...list(mesh.materials, Uint32Array, 'materials'), matrix);
     if (!well) throw new Error(messageOf().replace(/^mesh:/, `${what}:`));
     for (const line of mesh.polylines ?? []) {
@@ -229,13 +245,16 @@ function makeModel(meshes, options) {
   if (model === 0) throw failure();
   try {
     meshes.forEach((mesh, number) => addMesh(model, mesh, number));
-    for (const { point, normal } of options.sections ?? [])
-      withMemory(({ put }) => check(call('la_add_section', model, put(Float64Array.of(...point, ...normal)))));
+    for (const { point, normal } of options.sections ?? []) {
+      const numbers = Float64Array.of(...listOf(point, 3, 'sections: point'), ...listOf(normal, 3, 'sections: normal'));
+      withMemory(({ put }) => check(call('la_add_section', model, put(numbers))));
+    }
+    if (options.creaseAngle !== undefined && !(options.creaseAngle >= 0 && options.creaseAngle <= 180))
+      throw new Error(`lineatlas: creaseAngle must be from 0 to 180 degrees, not ${options.creaseAngle}`);
     const crease = options.creaseAngle === undefined ? NaN : (options.creaseAngle * Math.PI) / 180;
     const hatching = options.hatching === undefined ? 0 : options.hatching === false ? -1 : options.hatching;
-    withProgress(options.progress, () =>
-      check(call('la_extract', model, maskOf(options.kinds, 'kinds'), crease,
-        choiceOf(options.silhouettes, ['auto', 'smooth', 'mesh'], 'silhouettes'), options.separateParts ? 1 : 0, hatching)));
+    check(callWithProgress(options.progress, 'la_extract', model, maskOf(options.kinds, 'kinds'), crease,
+      choiceOf(options.silhouettes, ['auto', 'smooth', 'mesh'], 'silhouettes'), options.separateParts === true ? 1 : 0, hatching));
     return model;
   } catch (error) {
     if (broken === null) wasm.la_free_model(model);
@@ -274,12 +293,12 @@ const viewKeys = ['view', 'projection', 'width', 'height', 'zeroToOne'];
 
 /// The camera's matrices in the module's memory, with what else calls take of it.
 function putCamera(put, camera) {
+  refuseUnknown(camera, viewKeys, 'camera');
   const matrices = new Float32Array(32);
   matrices.set(matrixOf(camera.view, 'camera: view'));
   matrices.set(matrixOf(camera.projection, 'camera: projection'), 16);
   for (const side of ['width', 'height'])
     if (!Number.isInteger(camera[side])) throw new Error(`lineatlas: camera: ${side} must be a whole number of pixels`);
-  refuseUnknown(camera, viewKeys, 'camera');
   return [put(matrices), camera.width, camera.height, camera.zeroToOne ? 1 : 0];
 }
 
@@ -287,8 +306,10 @@ const frameKeys = ['width', 'height', 'from', 'up', 'projection', 'fov'];
 const drawKeys = ['kinds', 'hidden', 'outlines', 'progress'];
 
 export class Lines extends Owned {
+  #separate;
   constructor(meshes, options = {}) {
     super(makeModel(Array.isArray(meshes) ? meshes : [meshes], options), 'la_free_model');
+    this.#separate = options.separateParts === true;
   }
 
   get segmentCount() { return call('la_segment_count', this._address); }
@@ -304,6 +325,7 @@ export class Lines extends Owned {
   }
 
   setHidden(parts) {
+    if (!this.#separate) throw new Error('lineatlas: setHidden() needs lines that were made with separateParts: true');
     withMemory(({ put }) => {
       const numbers = numbersOf(parts, Uint32Array, 'setHidden: parts');
       check(call('la_hide', this._address, put(numbers), numbers.length));
@@ -315,7 +337,7 @@ export class Lines extends Owned {
     const { width, height, from = '', up = [0, 1, 0], projection, fov = 40 } = options;
     return withMemory(({ put, putText }) => {
       const to = put(new Float32Array(32));
-      check(call('la_frame', this._address, to, width, height, ...putText(from), ...up, (fov * Math.PI) / 180,
+      check(call('la_frame', this._address, to, width, height, ...putText(from), ...listOf(up, 3, 'up'), (fov * Math.PI) / 180,
         choiceOf(projection, ['perspective', 'orthographic'], 'projection')));
       const numbers = floatsAt(to, 32);
       return { view: numbers.slice(0, 16), projection: numbers.slice(16), width, height };
@@ -325,9 +347,8 @@ export class Lines extends Owned {
   draw(camera, options = {}) {
     refuseUnknown(options, drawKeys, 'draw');
     return withMemory(({ put }) => {
-      const seen = withProgress(options.progress, () =>
-        call('la_find', this._address, ...putCamera(put, camera), maskOf(options.kinds, 'kinds'),
-          options.hidden ? 1 : 0, options.outlines ? 1 : 0));
+      const seen = callWithProgress(options.progress, 'la_find', this._address, ...putCamera(put, camera),
+        maskOf(options.kinds, 'kinds'), options.hidden ? 1 : 0, options.outlines ? 1 : 0);
       if (seen === 0) throw failure();
       return new Drawing(this, seen);
     });
@@ -386,6 +407,7 @@ export class Drawing extends Owned {
   #write(format, options) {
     refuseUnknown(options, writeKeys, 'options');
     const { style = {}, title = 'Line drawing', page, margin = 0, tags = true } = options;
+    if (page !== undefined && !(page.width > 0 && page.height > 0)) throw new Error('lineatlas: page must have a width and a height above 0');
     const settings = Object.entries(style).map(([key, value]) => `${key}=${value}`);
     return withMemory(({ putText }) => {
       check(call('la_write', this.#lines._address, this._address, format, ...putText(settings.join('\n')), ...putText(title),

@@ -22,7 +22,8 @@ export function lineSegmentsOf(segments: Segments, options?: { hidden?: boolean;
 export interface RestingLinesOptions {
   /** Those to draw, when they are drawn: of a worker, so that the page goes on. */
   lines: () => Lines;
-  camera: ThreeCamera;
+  /** The one that draws now. */
+  camera: () => ThreeCamera;
   /** Of the canvas, in pixels: width and height. */
   size: () => [number, number];
   /** Milliseconds that the camera must rest; 150 by default. */

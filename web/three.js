@@ -129,7 +129,7 @@ export class RestingLines {
   /// Each frame.
   update(now = performance.now()) {
     const { camera, size, delay, onMove } = this.#options;
-    const view = cameraOf(camera, ...size());
+    const view = cameraOf(camera(), ...size());
     const key = JSON.stringify([...view.view, ...view.projection, view.width, view.height]);
     if (key !== this.#seen) {
       if (this.#seen === this.#drawn && this.#drawn !== '') onMove?.();

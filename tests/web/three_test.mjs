@@ -97,10 +97,11 @@ test('segments come back as objects', { skip }, () => {
 });
 
 test('lines are drawn once when the camera rests', { skip }, async () => {
-  const camera = cameraAt(3, 2, 5), lines = new Lines(meshesOf(new T.Mesh(new T.BoxGeometry())).meshes);
+  let camera = cameraAt(3, 2, 5);
+  const lines = new Lines(meshesOf(new T.Mesh(new T.BoxGeometry())).meshes);
   let shown = 0, moved = 0;
   const resting = new RestingLines({
-    camera,
+    camera: () => camera,
     size: () => [640, 480],
     delay: 100,
     lines: () => ({ draw: async (view, { signal, ...options }) => lines.draw(view, options) }),
@@ -122,4 +123,7 @@ test('lines are drawn once when the camera rests', { skip }, async () => {
   assert.deepEqual(await at(520), [1, 1]);
   assert.deepEqual(await at(600), [1, 1]);
   assert.deepEqual(await at(640), [2, 1]);
+  camera = cameraAt(-3, 2, 5); // another one
+  assert.deepEqual(await at(650), [2, 2]);
+  assert.deepEqual(await at(760), [3, 2]);
 });

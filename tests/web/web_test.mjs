@@ -121,6 +121,13 @@ const refusals = [
   ['no such kind', () => new Lines(cube, { kinds: ['edge'] }), /there is no kind "edge"/],
   ['a matrix of 9', () => new Lines({ ...cube, matrix: new Float32Array(9) }), /matrix must have 16 numbers, not 9/],
   ['no width', () => new Lines(cube).draw({ view: new Float32Array(16), projection: new Float32Array(16), height: 3 }), /width must be a whole/],
+  ['no camera', () => new Lines(cube).draw(), /camera must be an object with view, projection/],
+  ['no mesh', () => new Lines(), /mesh 0 must be an object with positions/],
+  ['half a vertex', () => new Lines({ ...cube, stride: 2.5 }), /stride must be a whole number/],
+  ['an angle of a circle', () => new Lines(cube, { creaseAngle: 360 }), /creaseAngle must be from 0 to 180 degrees, not 360/],
+  ['a plane without a normal', () => new Lines(cube, { sections: [{ point: [0, 0, 0], normal: [1] }] }), /normal must have 3 numbers, not 1/],
+  ['a page without height', () => { const l = new Lines(cube); l.draw(frame(l)).toSVG({ page: { width: 9 } }); }, /page must have/],
+  ['to hide what is joined', () => new Lines([cube, cube]).setHidden([0]), /needs lines that were made with separateParts/],
   ['a camera of zeros', () => new Lines(cube).draw({ view: new Float32Array(16), projection: new Float32Array(16), width: 3, height: 3 }), /camera: the view matrix is singular/],
   ['no such setting', () => { const l = new Lines(cube); l.draw(frame(l)).toSVG({ style: { widht: 3 } }); }, /did you mean "width"/],
   ['a cut that misses', () => new Lines(cube, { sections: [{ point: [0, 0, 9], normal: [0, 0, 1] }] }), /misses/],
@@ -151,6 +158,7 @@ test('progress ends at 1, and may stop', () => {
   assert.equal(shares.at(-1), 1);
   assert.throws(() => lines.draw(frame(lines), { progress: () => false }), { name: 'AbortError' });
   assert.throws(() => lines.draw(frame(lines), { progress: () => { throw new Error('mine'); } }), /^Error: mine$/);
+  assert.throws(() => lines.draw(frame(lines), { progress: () => void lines.bounds }), /within progress/);
   assert.equal(lines.draw(frame(lines)).segmentCount, 9);
 });
 
