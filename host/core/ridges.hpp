@@ -7,7 +7,6 @@
 #include "edges.hpp"
 #include "intersections.hpp"
 #include "lineatlas/lines.hpp"
-#include "parts.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -18,12 +17,6 @@ struct Ridge {
     std::vector<EdgePlace> points;    ///< of a closed one the first stands last once more
     std::vector<std::uint32_t> faces; ///< between each two points the triangle that it runs through
 };
-
-/// The triangles of parts that nobody designed: scanned, sculpted or grown surfaces. In what was
-/// designed most triangles have a neighbour in their own plane, or are slivers.
-std::vector<std::uint32_t> undesigned_faces(const WeldedMesh& mesh,
-                                            const std::vector<MeshEdge>& edges,
-                                            std::span<const double> bends, const MeshParts& parts);
 
 /// The ridges and valleys of these faces (docs/lines.md has the rules). None runs along an edge
 /// that `drawn` says to be a line.
