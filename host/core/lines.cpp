@@ -188,6 +188,7 @@ class Extraction {
         leave_out_seams();
         reach(0.7F);
         find_undesigned();
+        find_shape();
         do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
         reach(0.8F);
@@ -494,19 +495,35 @@ class Extraction {
         times_.intersections += milliseconds_since(start);
     }
 
-    void add_ridges() {
+    /// Where ridges and valleys run, creases say the same once more, in zigzags.
+    void find_shape() {
         if ((options_.lines & LA_KINDS_OF_SHAPE) == 0) return;
         const std::int64_t start = host_nanoseconds();
-        for (const Ridge& ridge : find_ridges(welded_, edges_, undesigned_, drawn_edges()))
-            if (wanted(ridge.kind)) add_ridge(ridge);
+        const std::vector<bool> may_go = creases_by_angle();
+        std::vector<bool> drawn(edges_.size(), false);
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette && !may_go[i];
+        FoundRidges found = find_ridges(welded_, edges_, undesigned_, drawn, may_go);
+        const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
+        for (std::size_t i = 0; i < found.said.size(); ++i)
+            if (found.said[i]) kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
+        ridges_ = std::move(found.ridges);
         times_.ridges = milliseconds_since(start);
     }
 
-    std::vector<bool> drawn_edges() const {
-        std::vector<bool> drawn(edges_.size(), false);
+    /// Edges that are creases by their bend alone, with no number from the user.
+    std::vector<bool> creases_by_angle() const {
+        std::vector<bool> found(edges_.size(), false);
+        if (options_.crease) return found;
+        const KnownEdges known{mesh_, welded_};
         for (std::size_t i = 0; i < edges_.size(); ++i)
-            drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette;
-        return drawn;
+            found[i] = kinds_[i] == LineKind::crease && !known.all() && !known.drawn(edges_[i]);
+        return found;
+    }
+
+    void add_ridges() {
+        for (const Ridge& ridge : ridges_)
+            if (wanted(ridge.kind)) add_ridge(ridge);
     }
 
     void add_ridge(const Ridge& ridge) {
@@ -567,7 +584,7 @@ class Extraction {
     void forget_edges() {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
         empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,
-              seams_, undesigned_);
+              seams_, undesigned_, ridges_);
     }
 
     LineSet assemble() {
@@ -629,6 +646,7 @@ class Extraction {
     std::vector<std::uint32_t> object_of_triangle_;
     Seams seams_;
     std::vector<std::uint32_t> undesigned_; ///< triangles
+    std::vector<Ridge> ridges_;
     AddedVertices added_{welded_};
     FoundContours smooth_;
     std::vector<std::uint32_t> contour_tags_;                     ///< of its faces
