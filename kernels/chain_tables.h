@@ -36,6 +36,10 @@ typedef struct ChainPlace {
 /* Places of contours are lifted off the surface by so much of how far corners of their triangle lie
  * off its surface's tangents. A quarter is how far an arc rises over its chord. */
 #define LA_CONTOUR_LIFT 0.5f
+/* Of what nobody designed they come nearer to the eye, too, by so many longest sides of their
+ * triangle: what lies so near before a contour on its own surface is rough, and does not hide it.
+ */
+#define LA_CONTOUR_NEARER 1.0f
 
 /* The triangles beside an edge that contours may cross, whatever surface they are of, as in
  * Segment. */
@@ -66,7 +70,9 @@ typedef struct ContourParameters {
     la_uint first_vertex; /* of places: four for each silhouette */
     la_uint first_number; /* of contours */
     la_uint contours;     /* the first candidate of them */
-    la_vec4 eye;          /* as in FacingParameters */
+    la_uint first;        /* of contour_places: in the segment table, of candidates */
+    la_uint on_surface; /* of contour_places: contours are drawn there, not where they are lifted */
+    la_vec4 eye;        /* as in FacingParameters */
 } ContourParameters;
 
 /* Candidates by edges of the mesh come first, then those that contours stand for, then contours.
@@ -103,7 +109,7 @@ typedef struct ChainParameters {
 #define contour_places_tables(in, out, inout, unordered) \
     in(uint, chosen) in(uint, numbers) in(uint, face_corners) in(float, facing) \
     in(ContourFace, faces) in(ContourCorner, corners) in(ContourEdge, edges) in(uint, triangles) \
-    in(uchar, front) inout(float, vertices) out(ContourCrossing, crossings)
+    in(Segment, segments) in(uchar, front) inout(float, vertices) out(ContourCrossing, crossings)
 #define silhouette_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uchar, front) out(uint, numbers)
 #define silhouette_list_tables(in, out, inout, unordered) \

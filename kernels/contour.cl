@@ -62,14 +62,14 @@ static bool is_mirrored(const uint face, const float3 normal, __global const uin
     return dot_of(across(b - a, c - a), normal) < 0.0f;
 }
 
-/* Whether the line along a border, whose ends have these normals together, is hidden by its own two
+/* Whether the line along a border, whose ends have these normals together, is hidden by its own
  * faces, so that it is seen up to that end of the edge whose surface shows its front. */
 static bool turns_away(__global const ContourEdge* edge, const float3 normals,
                        __global const uint* triangles, __global const float* vertices,
                        __global const uchar* front) {
-    if (edge->face_b == LA_NO_FACE) return false;
     const bool away = is_mirrored(edge->face_a, normals, triangles, vertices);
-    return faces_front(edge->face_a, front) == away && faces_front(edge->face_b, front) == away;
+    return faces_front(edge->face_a, front) == away &&
+           (edge->face_b == LA_NO_FACE || faces_front(edge->face_b, front) == away);
 }
 
 #define QUARTER_TURN 1.57079633f
@@ -139,12 +139,25 @@ static float rise_of(const ContourCorner* own, const float3* at) {
     return most;
 }
 
+/* How far a contour comes nearer to the eye where it is lifted off a rough triangle. */
+static float3 way_nearer(const float3* at, const float4 eye) {
+    float longest = 0.0f;
+    for (uint k = 0; k < 3; ++k) {
+        const float3 side = at[k == 2 ? 0 : k + 1] - at[k];
+        longest = fmax(longest, dot_of(side, side));
+    }
+    const float3 to_eye = xyz(eye) - (at[0] + at[1] + at[2]) * (eye.w / 3.0f);
+    return unit_of(to_eye) * (LA_CONTOUR_NEARER * sqrt(longest));
+}
+
 /* Where a contour crosses the edge between two corners that differ in how they face the eye: the
- * place, and the same lifted. edge: a border's triangles; null: the surface goes on there. */
+ * place, and the same lifted, and moved on by `nearer`. edge: a border's triangles; null: the
+ * surface goes on there. */
 static void put_places(const ContourCorner* from, const ContourCorner* to, const float at_a,
                        const float at_b, __global const ContourEdge* edge,
                        __global const uint* triangles, __global const uchar* front,
-                       const float lift, const uint vertex, __global float* vertices) {
+                       const float lift, const float3 nearer, const uint vertex,
+                       __global float* vertices) {
     const float3 a = vload3(from->vertex, vertices), b = vload3(to->vertex, vertices);
     const float3 normal_a = vload3(0, from->normal), normal_b = vload3(0, to->normal);
     const float t = at_a / (at_a - at_b), s = 1.0f - t;
@@ -158,7 +171,7 @@ static void put_places(const ContourCorner* from, const ContourCorner* to, const
         place = at_a >= 0.0f ? a : b;
     const float3 normal = unit_of(normal_a * s + normal_b * t);
     vstore3(place, vertex, vertices);
-    vstore3(place + normal * lift, vertex + 1, vertices);
+    vstore3(place + normal * lift + nearer, vertex + 1, vertices);
 }
 
 /* The tip that a contour runs into: it is not lifted, for it is the end. */
@@ -216,6 +229,11 @@ KERNEL(contour_places, ContourParameters) {
     ContourCrossing crossing;
     const float lift = LA_CONTOUR_LIFT * rise_of(own, at);
     crossing.underside = shows_back(at, faces_eye, tip, to_float4(args.eye)) ? 1 : 0;
+    float3 nearer = 0.0f;
+    if ((segments[args.first + chosen[n]].tag & LA_TAG_UNDESIGNED) != 0)
+        nearer = way_nearer(at, to_float4(args.eye));
+    /* `visible` takes the other way from there. */
+    if (crossing.underside != 0 && args.on_surface != 0) nearer = nearer * -1.0f;
     for (uint k = 0; k < 3; ++k) {
         const uint next = k == 2 ? 0 : k + 1;
         const bool falls = faces_eye[k] >= 0.0f; /* there it is p, beyond the edge q */
@@ -232,7 +250,7 @@ KERNEL(contour_places, ContourParameters) {
         else
             put_places(own + k, own + next, faces_eye[k], faces_eye[next],
                        across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, lift,
-                       vertex, vertices);
+                       nearer, vertex, vertices);
         if (falls) {
             crossing.p = vertex;
             crossing.before = other;

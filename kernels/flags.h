@@ -32,6 +32,8 @@
 #define LA_TAG_CLOSED 0x200u /* the path is a loop: its last segment continues in its first */
 #define LA_TAG_CONTOUR 0x20u /* of a frame: a silhouette of a smooth surface, see contour.cl */
 #define LA_TAG_SOLID 0x40u   /* of what contours run through: a closed part, wound outwards */
+/* Of the same: a surface that nobody designed, whose triangles are rough. */
+#define LA_TAG_UNDESIGNED 0x400u
 /* Of a frame: a contour that its own part hides; one that is seen from the back of its surface. */
 #define LA_TAG_BURIED 0x80u
 #define LA_TAG_UNDERSIDE 0x100u

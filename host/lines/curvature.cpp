@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -126,9 +128,9 @@ void SmoothedSurface::find_directions(Curvatures& found) const {
         one->k.assign(count, 0);
         one->way.assign(count, glm::vec3{0});
     }
-    for (std::size_t v = 0; v < count; ++v) {
+    for_each_index(count, [&](std::size_t v) {
         const float area = diffusion_.areas()[v];
-        if (!(area > 0)) continue;
+        if (!(area > 0)) return;
         const glm::vec3 normal = unit(glm::vec3{normals_[v]});
         const glm::vec3 x = any_across(normal), y = glm::cross(normal, x);
         const glm::vec3 of_x = tensors[v].times(x), of_y = tensors[v].times(y);
@@ -142,7 +144,7 @@ void SmoothedSurface::find_directions(Curvatures& found) const {
         found.least.k[v] = mean - apart;
         found.most.way[v] = way.x * x + way.y * y;
         found.least.way[v] = way.x * y - way.y * x;
-    }
+    });
 }
 
 /// The derivative of a principal curvature along its own direction is that of the field of such
@@ -175,8 +177,7 @@ void SmoothedSurface::find_gradients(PrincipalCurvature& found) const {
 Curvatures SmoothedSurface::curvatures() const {
     Curvatures found;
     find_directions(found);
-    find_gradients(found.most);
-    find_gradients(found.least);
+    do_both([&] { find_gradients(found.most); }, [&] { find_gradients(found.least); });
     return found;
 }
 

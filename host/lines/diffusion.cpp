@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -19,6 +21,20 @@ constexpr double precision = 0.05; ///< of a step, of what it changes
 float cotangent(glm::vec3 u, glm::vec3 v) {
     const glm::vec3 across = glm::cross(u, v);
     return glm::dot(u, v) / std::sqrt(glm::dot(across, across));
+}
+
+/// The same on any number of threads.
+template <class Each>
+double sum_over(std::size_t count, const Each& each) {
+    double sum = 0;
+    for (const double part :
+         made_of_pieces<double>(count, usual_piece, [&](std::size_t first, std::size_t end) {
+             double own = 0;
+             for (std::size_t v = first; v < end; ++v) own += double{each(v)};
+             return own;
+         }))
+        sum += part;
+    return sum;
 }
 
 } // namespace
@@ -84,35 +100,32 @@ void Diffusion::smooth(Values& values, float variance) const {
     const float half = 0.5F * variance;
     const std::size_t count = values.size();
     std::vector<float> inverse(count, 0); // of the diagonal
-    for (std::size_t v = 0; v < count; ++v) {
+    Values residual(count), direction(count), applied(count);
+    double error = sum_over(count, [&](std::size_t v) {
         const float diagonal = areas_[v] + half * outflows_[v];
         if (diagonal > 0) inverse[v] = 1 / diagonal;
-    }
-    Values residual(count), direction(count), applied(count);
-    double error = 0;
-    for (std::size_t v = 0; v < count; ++v) {
         residual[v] = half * gain(values, v);
         direction[v] = inverse[v] * residual[v];
-        error += double{glm::dot(residual[v], direction[v])};
-    }
+        return glm::dot(residual[v], direction[v]);
+    });
     const double wanted = precision * precision * error;
     for (int i = 0; i < most_iterations && error > wanted; ++i) {
-        double curvature = 0;
-        for (std::size_t v = 0; v < count; ++v) {
+        const double curvature = sum_over(count, [&](std::size_t v) {
             applied[v] = areas_[v] * direction[v] - half * gain(direction, v);
-            curvature += double{glm::dot(direction[v], applied[v])};
-        }
+            return glm::dot(direction[v], applied[v]);
+        });
         if (!(curvature > 0)) return;
         const auto step = static_cast<float>(error / curvature);
-        const double before = std::exchange(error, 0);
-        for (std::size_t v = 0; v < count; ++v) {
+        const double before = error;
+        error = sum_over(count, [&](std::size_t v) {
             values[v] += step * direction[v];
             residual[v] -= step * applied[v];
-            error += double{inverse[v] * glm::dot(residual[v], residual[v])};
-        }
+            return inverse[v] * glm::dot(residual[v], residual[v]);
+        });
         const auto factor = static_cast<float>(error / before);
-        for (std::size_t v = 0; v < count; ++v)
+        for_each_index(count, [&](std::size_t v) {
             direction[v] = inverse[v] * residual[v] + factor * direction[v];
+        });
     }
 }
 

@@ -37,6 +37,7 @@
 #include "surface/round_surface.hpp"
 #include "t_junctions.hpp"
 #include "triangle_tree.hpp"
+#include "undesigned_faces.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -190,6 +191,8 @@ class Extraction {
         reach(0.5F);
         leave_out_seams();
         reach(0.7F);
+        find_undesigned();
+        find_shape();
         do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
         reach(0.8F);
@@ -336,23 +339,33 @@ class Extraction {
         times_.seams = milliseconds_since(start);
     }
 
+    /// A mesh whose file knows its surfaces was designed.
+    void find_undesigned() {
+        if (!mesh_.surfaces.empty()) return;
+        undesigned_ = undesigned_faces(welded_, edges_, bends_, parts_);
+    }
+
     void find_smooth_patches() {
         if (options_.silhouettes == Silhouettes::mesh || !wanted(LineKind::silhouette)) return;
         // Where creases are not wanted their edges are silhouettes, and part patches all the same.
         const bool by_kind = wanted(LineKind::crease);
         const double crease = options_.crease.value_or(least_crease_angle);
-        const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
         smooth_ = find_contours({.mesh = welded_,
                                  .edges = edges_,
                                  .bends = bends_,
                                  .kinds = kinds_,
                                  .most_bend = by_kind ? std::numbers::pi : crease,
                                  .corner_normals = mesh_.corner_normals,
-                                 .parts = parts_,
-                                 .solid = solid},
+                                 .undesigned = undesigned_},
                                 options_.silhouettes);
-        for (const std::uint32_t face : smooth_.faces)
-            in_solid_.push_back(solid[parts_.of_vertex[welded_.triangles[face].x]]);
+        const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
+        std::vector<bool> undesigned(welded_.triangles.size(), false);
+        for (const std::uint32_t face : undesigned_) undesigned[face] = true;
+        for (const std::uint32_t face : smooth_.faces) {
+            const bool in_solid = solid[parts_.of_vertex[welded_.triangles[face].x]];
+            contour_tags_.push_back((in_solid ? LA_TAG_SOLID : 0) |
+                                    (undesigned[face] ? LA_TAG_UNDESIGNED : 0));
+        }
     }
 
     void add_surfaces() {
@@ -529,21 +542,35 @@ class Extraction {
         times_.intersections += milliseconds_since(start);
     }
 
-    /// Of a mesh whose file knows its surfaces or edges nobody asks: it was designed.
-    void add_ridges() {
-        if ((options_.lines & LA_KINDS_OF_SHAPE) == 0 || !mesh_.surfaces.empty()) return;
+    /// Where ridges and valleys run, creases say the same once more, in zigzags.
+    void find_shape() {
+        if ((options_.lines & LA_KINDS_OF_SHAPE) == 0) return;
         const std::int64_t start = host_nanoseconds();
-        const std::vector<std::uint32_t> faces = undesigned_faces(welded_, edges_, bends_, parts_);
-        for (const Ridge& ridge : find_ridges(welded_, edges_, faces, drawn_edges()))
-            if (wanted(ridge.kind)) add_ridge(ridge);
+        const std::vector<bool> may_go = creases_by_angle();
+        std::vector<bool> drawn(edges_.size(), false);
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette && !may_go[i];
+        FoundRidges found = find_ridges(welded_, edges_, undesigned_, drawn, may_go);
+        const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
+        for (std::size_t i = 0; i < found.said.size(); ++i)
+            if (found.said[i]) kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
+        ridges_ = std::move(found.ridges);
         times_.ridges = milliseconds_since(start);
     }
 
-    std::vector<bool> drawn_edges() const {
-        std::vector<bool> drawn(edges_.size(), false);
+    /// Edges that are creases by their bend alone, with no number from the user.
+    std::vector<bool> creases_by_angle() const {
+        std::vector<bool> found(edges_.size(), false);
+        if (options_.crease) return found;
+        const KnownEdges known{mesh_, welded_};
         for (std::size_t i = 0; i < edges_.size(); ++i)
-            drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette;
-        return drawn;
+            found[i] = kinds_[i] == LineKind::crease && !known.all() && !known.drawn(edges_[i]);
+        return found;
+    }
+
+    void add_ridges() {
+        for (const Ridge& ridge : ridges_)
+            if (wanted(ridge.kind)) add_ridge(ridge);
     }
 
     void add_ridge(const Ridge& ridge) {
@@ -628,7 +655,7 @@ class Extraction {
     void forget_edges() {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
         empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,
-              seams_);
+              seams_, undesigned_, ridges_);
     }
 
     LineSet assemble() {
@@ -640,9 +667,9 @@ class Extraction {
         for (const CutVertex& cut : added_.cuts()) builder.touch(cut.vertex);
         builder.add(welded_.vertices, fixed_, candidates_, options_.chain_angle);
         LineSet result = std::move(builder.result);
-        const std::size_t first_contour = result.segments.size() - in_solid_.size();
-        for (std::size_t i = 0; i < in_solid_.size(); ++i)
-            if (in_solid_[i]) result.segments[first_contour + i].tag |= LA_TAG_SOLID;
+        const std::size_t first_contour = result.segments.size() - contour_tags_.size();
+        for (std::size_t i = 0; i < contour_tags_.size(); ++i)
+            result.segments[first_contour + i].tag |= contour_tags_[i];
         result.left_out = left_out_;
         result.times = times_;
         result.odd = welded_.odd;
@@ -691,9 +718,11 @@ class Extraction {
     std::optional<TriangleTrees> trees_;
     std::vector<std::uint32_t> object_of_triangle_;
     Seams seams_;
+    std::vector<std::uint32_t> undesigned_; ///< triangles
+    std::vector<Ridge> ridges_;
     AddedVertices added_{welded_};
     FoundContours smooth_;
-    std::vector<bool> in_solid_;                                  ///< of its faces
+    std::vector<std::uint32_t> contour_tags_;                     ///< of its faces
     std::vector<Line> fixed_, candidates_, replaced_;             ///< replaced by contours
     std::unordered_map<std::uint64_t, std::size_t> line_of_edge_; ///< of polylines, in `fixed_`
     LeftOut left_out_;

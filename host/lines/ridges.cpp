@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
 #include "core/pair_key.hpp"
 #include "curvature.hpp"
 #include "diagonal.hpp"
@@ -17,13 +18,6 @@
 
 namespace lineatlas {
 namespace {
-
-// The gate.
-constexpr double coplanar_bend = 3.5e-4;       ///< 0.02 degrees
-constexpr double most_coplanar = 0.2;          ///< of the area of a part, and of the whole model
-constexpr double least_altitude = 0.1;         ///< of the longest edge; slivers have less
-constexpr double most_slivers = 0.1;           ///< of a part's area
-constexpr std::uint32_t least_triangles = 500; ///< of a part
 
 /// A fold as wide as the surface is smoothed.
 struct Scale {
@@ -46,6 +40,7 @@ constexpr float same_line =
     1.2F; ///< deviations: a coarser line this near to a finer one is the same
 constexpr float beside_edge =
     2.5F; ///< edges: a line this near to one that is drawn anyway is the same
+constexpr float along_line = 0.7F; ///< deviations: an edge this near to a line says the same
 
 constexpr int straightening_rounds = 10;
 constexpr float most_shift = 0.6F; ///< deviations, by straightening
@@ -214,14 +209,15 @@ class RidgeFinder {
             if (!drawn[i]) continue;
             const glm::vec3 p = mesh_.vertices[edges[i].p], q = mesh_.vertices[edges[i].q];
             const float reach = beside_edge * glm::distance(p, q);
-            for (const float share : {0.0F, 0.5F}) taken_.add(p + share * (q - p), reach);
-            taken_.add(q, reach);
+            for (const float share : {0.0F, 0.5F, 1.0F}) taken_.add(p + share * (q - p), reach);
         }
     }
 
-    std::vector<Ridge> find() {
+    FoundRidges find(const std::vector<MeshEdge>& edges, const std::vector<bool>& may_go) {
         for (const Scale& scale : scales) find_at(scale);
-        return std::move(found_);
+        std::vector<bool> said(edges.size(), false);
+        for (std::size_t i = 0; i < edges.size(); ++i) said[i] = may_go[i] && runs_along(edges[i]);
+        return {std::move(found_), std::move(said)};
     }
 
   private:
@@ -295,21 +291,28 @@ class RidgeFinder {
     }
 
     std::vector<Piece> pieces_of(const Field& field, float least) {
-        std::vector<Piece> pieces;
-        for (const std::uint32_t face : faces_) {
-            const glm::uvec3 t = mesh_.triangles[face];
-            if (!(std::max({field.lead(t.x), field.lead(t.y), field.lead(t.z)}) > 0)) continue;
-            const std::optional<FaceSlopes> at = slopes_of(field, t);
-            if (!at || !changes_sign(at->slopes)) continue;
-            float strong = std::min(strength(field, face, at->way), most_strength);
-            if (strong < 0.5F * weak_share * least) continue;
-            if (const auto piece = piece_of(field, face, *at, strong)) pieces.push_back(*piece);
-        }
+        std::vector<Piece> pieces = joined(made_of_pieces<std::vector<Piece>>(
+            faces_.size(), usual_piece, [&](std::size_t first, std::size_t end) {
+                std::vector<Piece> own;
+                for (const std::uint32_t face : faces_.subspan(first, end - first))
+                    if (const auto piece = piece_in(field, face, least)) own.push_back(*piece);
+                return own;
+            }));
         for (Piece& piece : pieces) {
             const float rough = roughness_factor * roughness_.about(middle(piece.face));
             if (rough > least) piece.strength *= least / rough;
         }
         return pieces;
+    }
+
+    std::optional<Piece> piece_in(const Field& field, std::uint32_t face, float least) const {
+        const glm::uvec3 t = mesh_.triangles[face];
+        if (!(std::max({field.lead(t.x), field.lead(t.y), field.lead(t.z)}) > 0)) return {};
+        const std::optional<FaceSlopes> at = slopes_of(field, t);
+        if (!at || !changes_sign(at->slopes)) return {};
+        const float strong = std::min(strength(field, face, at->way), most_strength);
+        if (strong < 0.5F * weak_share * least) return {};
+        return piece_of(field, face, *at, strong);
     }
 
     std::optional<Piece> piece_of(const Field& field, std::uint32_t face, const FaceSlopes& at,
@@ -382,9 +385,14 @@ class RidgeFinder {
     }
 
     void take(const Ridge& ridge) {
-        for (std::size_t i = 0; i < ridge.faces.size(); ++i)
-            taken_.add(at(ridge.points[i]), same_line * deviation_);
-        taken_.add(at(ridge.points.back()), same_line * deviation_);
+        for (const EdgePlace& point : ridge.points) {
+            taken_.add(at(point), same_line * deviation_);
+            along_.add(at(point), along_line * deviation_);
+        }
+    }
+
+    bool runs_along(const MeshEdge& edge) const {
+        return along_.near(mesh_.vertices[edge.p]) && along_.near(mesh_.vertices[edge.q]);
     }
 
     /// Moves points along their edges to where the line bends least, not far.
@@ -424,54 +432,20 @@ class RidgeFinder {
     float deviation_ = 0; ///< of the scale
     MeanGrid roughness_;
     PlaceGrid taken_; ///< where lines are already
+    PlaceGrid along_; ///< what is said by those that were found
     std::vector<Ridge> found_;
     std::size_t taken_of_ = 0; ///< of found_
 };
 
 } // namespace
 
-std::vector<std::uint32_t> undesigned_faces(const WeldedMesh& mesh,
-                                            const std::vector<MeshEdge>& edges,
-                                            std::span<const double> bends, const MeshParts& parts) {
-    const std::vector<bool> coplanar =
-        flat_faces(mesh.triangles.size(), edges, bends, coplanar_bend);
-    struct Area {
-        double all = 0, coplanar = 0, slivers = 0;
-        std::uint32_t triangles = 0;
-        bool is_designed() const {
-            return triangles < least_triangles || coplanar > most_coplanar * all ||
-                   slivers > most_slivers * all;
-        }
-    };
-    std::vector<Area> of_part(parts.count);
-    Area model;
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const glm::uvec3 t = mesh.triangles[f];
-        const glm::dvec3 a{mesh.vertices[t.x]}, b{mesh.vertices[t.y]}, c{mesh.vertices[t.z]};
-        const double twice = glm::length(glm::cross(b - a, c - a));
-        const double longest =
-            std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
-        for (Area* area : {&of_part[parts.of_vertex[t.x]], &model}) {
-            ++area->triangles;
-            area->all += twice;
-            area->coplanar += coplanar[f] ? twice : 0;
-            area->slivers += twice < least_altitude * longest ? twice : 0;
-        }
-    }
-    std::vector<std::uint32_t> faces;
-    if (model.is_designed()) return faces;
-    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f)
-        if (!of_part[parts.of_vertex[mesh.triangles[f].x]].is_designed()) faces.push_back(f);
-    return faces;
-}
-
-std::vector<Ridge> find_ridges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
-                               std::span<const std::uint32_t> faces,
-                               const std::vector<bool>& drawn) {
+FoundRidges find_ridges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                        std::span<const std::uint32_t> faces, const std::vector<bool>& drawn,
+                        const std::vector<bool>& may_go) {
     if (faces.empty()) return {};
     RidgeFinder finder{mesh, edges, faces};
     finder.leave_out_beside(edges, drawn);
-    return finder.find();
+    return finder.find(edges, may_go);
 }
 
 } // namespace lineatlas

@@ -7,7 +7,6 @@
 #include "edges.hpp"
 #include "intersections.hpp"
 #include "lineatlas/lines.hpp"
-#include "parts.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -19,16 +18,16 @@ struct Ridge {
     std::vector<std::uint32_t> faces; ///< between each two points the triangle that it runs through
 };
 
-/// The triangles of parts that nobody designed: scanned, sculpted or grown surfaces. In what was
-/// designed most triangles have a neighbour in their own plane, or are slivers.
-std::vector<std::uint32_t> undesigned_faces(const WeldedMesh& mesh,
-                                            const std::vector<MeshEdge>& edges,
-                                            std::span<const double> bends, const MeshParts& parts);
+/// The lines of a surface's shape.
+struct FoundRidges {
+    std::vector<Ridge> ridges;
+    std::vector<bool> said; ///< edges: of those that may go, which a ridge or valley runs along
+};
 
-/// The ridges and valleys of these faces (docs/lines.md has the rules). None runs along an edge
-/// that `drawn` says to be a line.
-std::vector<Ridge> find_ridges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
-                               std::span<const std::uint32_t> faces,
-                               const std::vector<bool>& drawn);
+/// The ridges and valleys of these faces (docs/lines.md has the rules). None runs beside an edge
+/// that is `drawn`; where one runs along an edge that `may_go`, that says the same.
+FoundRidges find_ridges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                        std::span<const std::uint32_t> faces, const std::vector<bool>& drawn,
+                        const std::vector<bool>& may_go);
 
 } // namespace lineatlas

@@ -21,8 +21,10 @@ struct Creases {
 
     explicit Creases(const Mesh& mesh) {
         constexpr LineKindMask kinds = mask_of(LineKind::crease) | mask_of(LineKind::silhouette);
-        const LineSet fixed = extract_lines(mesh, {.lines = kinds, .crease = 0.5026548F});
-        const LineSet chosen = extract_lines(mesh, {.lines = kinds});
+        constexpr Silhouettes by_edges = Silhouettes::mesh;
+        const LineSet fixed =
+            extract_lines(mesh, {.lines = kinds, .crease = 0.5026548F, .silhouettes = by_edges});
+        const LineSet chosen = extract_lines(mesh, {.lines = kinds, .silhouettes = by_edges});
         all = fixed.kind_counts[LA_KIND_CREASE];
         drawn = chosen.kind_counts[LA_KIND_CREASE];
         noisy = chosen.left_out.noisy_creases;

@@ -86,6 +86,20 @@ TEST(Ridges, StayWithHalfTheTriangles) {
     EXPECT_LT(found.wrong, 0.1F * found.right);
 }
 
+/// Creases of such a surface run in zigzags along its crests and furrows.
+TEST(Ridges, TakeThePlaceOfCreases) {
+    for (const float noise : {0.0F, 0.1F}) {
+        const Waves waves{.noise = noise};
+        const LineSet lines =
+            extract_lines(waves.mesh(), {.lines = ridges_and_valleys | mask_of(LineKind::crease)});
+        EXPECT_GT(found_in(lines, waves, waves.edge).covered, 0.9F) << noise;
+        EXPECT_LT(lines.kind_counts[LA_KIND_CREASE], 30U) << noise;
+    }
+    // A number from the user counts.
+    const LineSet lines = extract_lines(Waves{}.mesh(), {.crease = 0.5F});
+    EXPECT_GT(lines.kind_counts[LA_KIND_CREASE], 200U);
+}
+
 TEST(Ridges, LieWithinTheirTriangles) {
     const Mesh mesh = Waves{}.mesh();
     const LineSet lines = ridges_of(mesh);

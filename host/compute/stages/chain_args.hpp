@@ -34,6 +34,7 @@ struct ContourPlacesArgs {
     Buffer& numbers;    ///< of `silhouette`
     Buffer& chosen;     ///< of `silhouette_list`
     std::uint32_t count; ///< silhouettes
+    bool on_surface;     ///< see SilhouetteChains::Contours
     Buffer& crossings;   ///< out: `ContourCrossing` per silhouette
 };
 

@@ -14,6 +14,8 @@ void Stages::contour(const ContourArgs& args) {
                                  .first_vertex = contours.vertex_count,
                                  .first_number = args.first_number,
                                  .contours = 0,
+                                 .first = 0,
+                                 .on_surface = 0,
                                  .eye = args.eye};
     launch<kernels::contour_facing>(
         corner_count, parameters,
@@ -32,6 +34,8 @@ void Stages::contour_places(const ContourPlacesArgs& args) {
                                      .first_vertex = contours.vertex_count,
                                      .first_number = candidates.kept_edges(),
                                      .contours = candidates.edges(),
+                                     .first = candidates.first,
+                                     .on_surface = args.on_surface ? 1U : 0U,
                                      .eye = args.eye},
                                     {.chosen = args.chosen,
                                      .numbers = args.numbers,
@@ -41,6 +45,7 @@ void Stages::contour_places(const ContourPlacesArgs& args) {
                                      .corners = *contours.corners,
                                      .edges = *contours.edges,
                                      .triangles = args.table.triangles,
+                                     .segments = args.table.segments,
                                      .front = args.front,
                                      .vertices = args.table.vertices,
                                      .crossings = args.crossings});

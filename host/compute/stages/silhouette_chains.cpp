@@ -70,6 +70,7 @@ void SilhouetteChains::place_contours(const SegmentTable& table, Buffer& front,
                             .numbers = tables_[Table::numbers],
                             .chosen = tables_[Table::chosen],
                             .count = found,
+                            .on_surface = drawn_ == Contours::on_surface,
                             .crossings = tables_[Table::crossings]});
 }
 
