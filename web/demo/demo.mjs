@@ -32,6 +32,9 @@ scene.add(new AmbientLight());
 const perspective = new PerspectiveCamera(40, 1, 0.1, 100), parallel = new OrthographicCamera();
 let camera = perspective;
 const controls = new OrbitControls(camera, renderer.domElement);
+let isStale = true; // what the canvas shows
+const redraw = () => { isStale = true; };
+controls.addEventListener('change', redraw);
 const faces = new MeshBasicMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 const rough = new LineBasicMaterial();
 const strong = new LineMaterial({ linewidth: 1.75, depthTest: false });
@@ -51,6 +54,7 @@ function recolor() {
   rough.color = colorOf('--soft');
   strong.color = colorOf('--ink');
   weak.color = colorOf('--ink');
+  redraw();
 }
 
 function clear(group) {
@@ -62,6 +66,7 @@ function clear(group) {
 function showRough(on) {
   edges.visible = on;
   exact.visible = !on;
+  redraw();
 }
 
 function plane() {
@@ -179,6 +184,7 @@ function resize() {
   perspective.updateProjectionMatrix();
   parallel.updateProjectionMatrix();
   controls.update();
+  redraw();
 }
 
 function setModel(object) {
@@ -244,7 +250,10 @@ $('model').onchange = () => { if ($('model').value) setModel(models[$('model').v
 $('open').onclick = () => $('file').click();
 $('file').onchange = () => { if ($('file').files[0]) open($('file').files[0]); };
 $('hidden').onchange = () => resting.invalidate();
-$('faces').onchange = () => { faces.colorWrite = $('faces').checked; };
+$('faces').onchange = () => {
+  faces.colorWrite = $('faces').checked;
+  redraw();
+};
 $('parallel').onchange = () => {
   const { position } = camera;
   camera = $('parallel').checked ? parallel : perspective;
@@ -275,6 +284,8 @@ if (!supported) {
   renderer.setAnimationLoop(() => {
     controls.update();
     resting.update();
+    if (!isStale) return;
+    isStale = false;
     renderer.render(scene, camera);
   });
 }
