@@ -2,6 +2,7 @@
 // the scale and the colours. LINEATLAS_SCREENSHOTS keeps the pictures; docs/viewer.md shows some.
 
 #include <fmt/format.h>
+#include <glm/vector_relational.hpp>
 
 #include "viewer_support.hpp"
 
@@ -76,6 +77,32 @@ class ViewerLooks : public testing::TestWithParam<Look> {
         }
     }
 
+    /// The same of the panel of exports, which lies over the sidebar in small windows.
+    void look_at_export() {
+        hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+        hand_.click("export.print");
+        hand_.click("export.sheet");
+        hand_.move({1, 1}); // nothing says what it does
+        hand_.screenshot(fmt::format("export_{}", GetParam().name()));
+        const glm::vec2 window{app_.window().points()};
+        std::vector<std::pair<std::string, viewer::Area>> seen;
+        for (const auto& [name, area] : app_.ui().spots.all())
+            if (name.starts_with("export.")) seen.emplace_back(name, area);
+        EXPECT_GT(seen.size(), 20U);
+        for (const auto& [name, area] : seen) {
+            const glm::vec2 high = area.low + area.size;
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(area.low, glm::vec2{0}))) << name;
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(high, window))) << name;
+            for (const auto& [other, its] : seen) {
+                const glm::vec2 end = its.low + its.size;
+                const bool apart = high.x <= its.low.x + 0.5F || end.x <= area.low.x + 0.5F ||
+                                   high.y <= its.low.y + 0.5F || end.y <= area.low.y + 0.5F;
+                EXPECT_TRUE(apart || other == name) << name << " and " << other;
+            }
+        }
+        hand_.key(GLFW_KEY_ESCAPE);
+    }
+
     TemporaryFolder folder_;
     ImageWriter writer_;
     viewer::Application app_;
@@ -89,6 +116,11 @@ TEST_P(ViewerLooks, NothingIsCutOffOrCovered) {
     hand_.key(GLFW_KEY_C);
     hand_.move(0.4 * glm::dvec2{session().size()});
     look("house");
+    hand_.click("part:walls");
+    hand_.move(0.4 * glm::dvec2{session().size()});
+    look("picked");
+    session().select({});
+    look_at_export();
     hand_.reveal("lines.hatching");
     hand_.move(0.4 * glm::dvec2{session().size()});
     look("lines");
@@ -111,11 +143,12 @@ TEST_P(ViewerLooks, NothingIsCutOffOrCovered) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ViewerLooks,
                          testing::Values(Look{{900, 600}, 1, viewer::Theme::light},
-                                         Look{{1400, 900}, 1, viewer::Theme::dark},
-                                         Look{{2560, 1440}, 2, viewer::Theme::light}),
-                         [](const auto& look) {
-                             return fmt::format("{}x{}", look.param.size.x, look.param.size.y);
-                         });
+                                         Look{{900, 600}, 1, viewer::Theme::dark},
+                                         Look{{1280, 800}, 1, viewer::Theme::light},
+                                         Look{{1280, 800}, 1, viewer::Theme::dark},
+                                         Look{{2560, 1440}, 2, viewer::Theme::light},
+                                         Look{{2560, 1440}, 2, viewer::Theme::dark}),
+                         [](const auto& look) { return look.param.name(); });
 
 } // namespace
 } // namespace lineatlas::test

@@ -79,7 +79,9 @@ void draw_gizmo(Ui& ui, Area canvas) {
         hovered.at(i) = ImGui::IsItemHovered();
         tip(ui, ("Look from " + arm.name).c_str());
     }
+    ImGui::GetWindowDrawList()->PushClipRectFullScreen();
     for (std::size_t i = 0; i < arms.size(); ++i) draw(ui, arms.at(i), middle, hovered.at(i));
+    ImGui::GetWindowDrawList()->PopClipRect();
     ImGui::End();
 }
 

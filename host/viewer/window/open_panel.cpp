@@ -78,12 +78,15 @@ bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
     return clicked;
 }
 
+/// Recent files, then those of the folder that is listed, both under their names.
 std::optional<fs::path> draw_rows(Ui& ui, const std::vector<Row>& rows, bool scrolls_here) {
     std::optional<fs::path> clicked;
+    const auto is_recent = [&](std::size_t i) { return rows[i].kind == Row::Kind::recent; };
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool first_of_folder =
-            i > 0 && rows[i - 1].kind == Row::Kind::recent && rows[i].kind != Row::Kind::recent;
-        if (first_of_folder) ImGui::Separator();
+        const bool first = i == 0 || is_recent(i) != is_recent(i - 1);
+        if (first && i > 0) ImGui::Separator();
+        if (first)
+            ImGui::TextDisabled("%s", is_recent(i) ? "Recent" : shown(ui, ui.open.listed.string()));
         const bool chosen = static_cast<int>(i) == ui.open.search.chosen;
         if (draw_row(ui, rows[i], chosen, scrolls_here)) clicked = rows[i].path;
     }
@@ -133,7 +136,6 @@ void draw_open_panel(Ui& ui, Area canvas) {
         search_field(ui, ui.open.search, "open.search", "Type a name or a path");
     const Typed typed = typed_in(ui.open);
     list(ui.open, typed.folder);
-    ImGui::TextDisabled("%s", shown(ui, typed.folder.string()));
     const std::vector<Row> rows = rows_of(ui, typed);
     const bool moved = move_choice(ui.open.search, rows.size());
     ImGui::BeginChild("entries",

@@ -10,7 +10,7 @@ void toolbar(Ui& ui, Area canvas) {
     begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
     if (toggle(ui, "open.panel", "Open", ui.panel == Panel::open)) switch_panel(ui, Panel::open);
-    tip(ui, "Files of a folder, and recent ones (Ctrl+O)");
+    tip(ui, "Files of a folder, and recent ones (Ctrl + O)");
     ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
     tip(ui, "All of the model (F)");
