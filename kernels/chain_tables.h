@@ -40,6 +40,8 @@ typedef struct ChainPlace {
  * triangle: what lies so near before a contour on its own surface is rough, and does not hide it.
  */
 #define LA_CONTOUR_NEARER 1.0f
+/* There, closed contours through no more triangles than this are noise. */
+#define LA_LEAST_LOOP 12u
 
 /* The triangles beside an edge that contours may cross, whatever surface they are of, as in
  * Segment. */
