@@ -184,6 +184,12 @@ KERNEL(chain_place, ChainParameters) {
     lengths[n] = leader == n ? length : 0;
 }
 
+/* Whether a contour is a loop about a bump or two of a rough surface. */
+static bool is_noise(const ChainPlace* place, const uint tag) {
+    return (tag & LA_TAG_UNDESIGNED) != 0 && (place->flags & LA_PLACE_CLOSED) != 0 &&
+           place->before + place->after < LA_LEAST_LOOP;
+}
+
 /* One work-item per silhouette. starts: the scanned lengths. ordered: the segments of the frame,
  * those of chains from `first` on. origins: of each of these 2 i + 1 for candidate i, 2 i + 2 if it
  * is reversed; positions: of each candidate in the same way where it stands, 0 if it doesn't. */
@@ -203,6 +209,7 @@ KERNEL(chain_write, ChainParameters) {
         segment.tag |= LA_TAG_CONTOUR;
         const bool shows_none = args.outside != 0 && (segment.tag & LA_TAG_SOLID) != 0;
         if (crossing.underside != 0) segment.tag |= shows_none ? LA_TAG_BURIED : LA_TAG_UNDERSIDE;
+        if (is_noise(&place, segment.tag)) segment.tag |= LA_TAG_BURIED;
     }
     if (turned != 0) {
         const uint p = segment.p;

@@ -36,10 +36,8 @@ typedef struct ChainPlace {
 /* Places of contours are lifted off the surface by so much of how far corners of their triangle lie
  * off its surface's tangents. A quarter is how far an arc rises over its chord. */
 #define LA_CONTOUR_LIFT 0.5f
-/* Of what nobody designed they come nearer to the eye, too, by so many longest sides of their
- * triangle: what lies so near before a contour on its own surface is rough, and does not hide it.
- */
-#define LA_CONTOUR_NEARER 1.0f
+/* Of what nobody designed, closed contours through no more triangles than this are noise. */
+#define LA_LEAST_LOOP 12u
 
 /* The triangles beside an edge that contours may cross, whatever surface they are of, as in
  * Segment. */

@@ -10,6 +10,11 @@
 /* Steps by which a change of visibility is narrowed down, from one sample's length. */
 #define LA_INTERVAL_STEPS 6
 
+/* Shorter strokes are left out, in heights of the picture: of ridges and valleys, and those between
+ * two changes of visibility of silhouettes on surfaces that nobody designed, which are rough. */
+#define LA_LEAST_SHAPE 0.012f
+#define LA_LEAST_ROUGH 0.005f
+
 /* Visibility (of 255) from which on a stroke is drawn in full: a third (shaders/mark.glsl). */
 #define LA_FULLY_SHOWN 85
 

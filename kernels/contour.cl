@@ -139,7 +139,9 @@ static float rise_of(const ContourCorner* own, const float3* at) {
     return most;
 }
 
-/* How far a contour comes nearer to the eye where it is lifted off a rough triangle. */
+/* Lifted off what nobody designed a contour comes nearer to the eye, too, by so many longest sides
+ * of its triangle: what lies so near before it on its own surface is rough, and does not hide it. */
+#define NEARER_SIDES 0.5f
 static float3 way_nearer(const float3* at, const float4 eye) {
     float longest = 0.0f;
     for (uint k = 0; k < 3; ++k) {
@@ -147,7 +149,7 @@ static float3 way_nearer(const float3* at, const float4 eye) {
         longest = fmax(longest, dot_of(side, side));
     }
     const float3 to_eye = xyz(eye) - (at[0] + at[1] + at[2]) * (eye.w / 3.0f);
-    return unit_of(to_eye) * (LA_CONTOUR_NEARER * sqrt(longest));
+    return unit_of(to_eye) * (NEARER_SIDES * sqrt(longest));
 }
 
 /* Where a contour crosses the edge between two corners that differ in how they face the eye: the

@@ -376,6 +376,19 @@ static float path_share(const uint path) {
     return (float)(h >> 8) * (1.0f / 16777216.0f);
 }
 
+/* Whether a stroke is long enough to be drawn. Of one that is cut off nobody knows. */
+static bool is_drawn(const Work* work, const Stroke* stroke, const float drop_runs) {
+    const uint tag = work->frame.segments[work->first].tag;
+    const float length = stroke->end - stroke->start, height = work->frame.viewport.y;
+    if ((1u << (tag & LA_TAG_KIND_MASK) & LA_KINDS_OF_SHAPE) != 0)
+        return length >= fmax(drop_runs, LA_LEAST_SHAPE * height);
+    if (is_cut_off(stroke->start_kind) || is_cut_off(stroke->end_kind)) return true;
+    const bool between_changes =
+        stroke->start_kind == LA_END_HIDDEN && stroke->end_kind == LA_END_HIDDEN;
+    const bool is_rough = between_changes && (tag & LA_TAG_UNDESIGNED) != 0;
+    return length >= (is_rough ? fmax(drop_runs, LA_LEAST_ROUGH * height) : drop_runs);
+}
+
 /* All strokes of the path whose runs are r to r_end - 1. */
 static void filter_path(Work* work, const uint r_first, const uint r_end, StrokeFilter filter) {
     const Frame frame = work->frame;
@@ -427,8 +440,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
             }
         }
         if (has_current) {
-            if (is_cut_off(current.start_kind) || is_cut_off(current.end_kind) ||
-                current.end - current.start >= filter.drop_runs) {
+            if (is_drawn(work, &current, filter.drop_runs)) {
                 set_overshoot(work, &current, filter.overshoot);
                 const float grow =
                     stroke.end_overshoot + current.start_overshoot - 2.0f * filter.undershoot;

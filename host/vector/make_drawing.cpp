@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "chaining.hpp"
+#include "constants.h"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
 #include "core/depth_tolerance.hpp"
@@ -80,8 +81,20 @@ void apply_filter(const LineSet& lines, const Camera& camera, const Style& style
                            .tolerance = static_cast<double>(depth_tolerance(camera))});
     }
     const double crumb = pieces.exact ? 0 : crumb_of_samples;
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        filter_lengths(strips[i], filter, cuts[i], crumb);
+    const double rough_crumb = std::max(crumb, double{LA_LEAST_ROUGH} * camera.size.y);
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const bool is_rough =
+            (lines.segments[strips[i].steps.front().segment].tag & LA_TAG_UNDESIGNED) != 0;
+        filter_lengths(strips[i], filter, cuts[i], is_rough ? rough_crumb : crumb);
+    }
+}
+
+/// Of ridges and valleys.
+void drop_short(const Camera& camera, std::vector<VectorPath>& paths) {
+    const double least = double{LA_LEAST_SHAPE} * camera.size.y;
+    std::erase_if(paths, [&](const VectorPath& path) {
+        return (mask_of(path.kind) & LA_KINDS_OF_SHAPE) != 0 && length_of(path) < least;
+    });
 }
 
 double thinned_share(const std::vector<VectorPath>& paths) {
@@ -152,6 +165,8 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     curves.name(drawing.paths);
     const std::vector<std::uint32_t> along = curves.numbers(drawing.paths);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture, along);
+    drop_short(camera, drawing.paths);
+
     drawing.paths = thin_out(std::move(drawing.paths), style, picture);
     drawing.thinned_share = thinned_share(drawing.paths);
     sort_for_drawing(drawing.paths);

@@ -545,6 +545,21 @@ int gaps_beside(const VectorDrawing& drawing, double radius, double reach) {
     return static_cast<int>(std::ranges::count(met, false));
 }
 
+TEST(Contours, OfARoughBallHaveNeitherGapsNorCrumbs) {
+    Random random{71};
+    const LineSet lines =
+        extract_lines(rough_sphere(0.1F), {.lines = mask_of(LineKind::silhouette)});
+    for (int view = 0; view < 5; ++view) {
+        SCOPED_TRACE(view);
+        const VectorDrawing drawing = seen_of(lines, parallel_view(random.direction()));
+        EXPECT_EQ(gaps_beside(drawing, 100, 1.5), 0);
+        double length = 0;
+        for (const VectorPath& path : drawing.paths) length += length_of(path);
+        EXPECT_LT(length, 1.15 * 2 * pi * 100);
+        EXPECT_LT(drawing.paths.size(), 20U);
+    }
+}
+
 /// A bowl whose inside is seen: its outline goes from the surface to the border without a gap.
 TEST(Contours, OfAnOpenScanMeetItsBorder) {
     Random random{72};
