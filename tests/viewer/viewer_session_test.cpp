@@ -174,7 +174,7 @@ TEST(ViewerKindPens, AreRulesOfTheirKindThatTheOutlineOutweighs) {
     Style style = load_style("plain");
     viewer::set_width_of_kind(style, "silhouette", 7);
     viewer::set_color_of_kind(style, "silhouette", {1, 0, 0});
-    ASSERT_EQ(style.pens.size(), 5U);
+    ASSERT_EQ(style.pens.size(), 6U);
     EXPECT_EQ(viewer::pen_of_kind(style, "silhouette").width, 7);
     EXPECT_EQ(viewer::pen_of_kind(style, "silhouette").color, glm::vec3(1, 0, 0));
     EXPECT_EQ(viewer::pen_of_kind(style, "crease").width, 1.5F);
