@@ -140,7 +140,8 @@ static float rise_of(const ContourCorner* own, const float3* at) {
 }
 
 /* Lifted off what nobody designed a contour comes nearer to the eye, too, by so many longest sides
- * of its triangle: what lies so near before it on its own surface is rough, and does not hide it. */
+ * of its triangle: what lies so near before it on its own surface is rough, and does not hide it.
+ */
 #define NEARER_SIDES 0.5f
 static float3 way_nearer(const float3* at, const float4 eye) {
     float longest = 0.0f;

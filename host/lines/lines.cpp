@@ -163,6 +163,9 @@ double milliseconds_since(std::int64_t start) {
     return 1e-6 * static_cast<double>(host_nanoseconds() - start);
 }
 
+/// What bends more says it better than a ridge that runs along it.
+constexpr double sharp_crease = std::numbers::pi / 3;
+
 enum class ListOfLines : std::uint8_t { fixed, candidates, replaced };
 
 /// From a mesh to its lines, step by step.
@@ -553,7 +556,8 @@ class Extraction {
         FoundRidges found = find_ridges(welded_, edges_, undesigned_, drawn, may_go);
         const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < found.said.size(); ++i)
-            if (found.said[i]) kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
+            if (found.said[i] && bends_[i] < sharp_crease)
+                kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
         ridges_ = std::move(found.ridges);
         times_.ridges = milliseconds_since(start);
     }

@@ -11,6 +11,7 @@
 #include "core/depth_tolerance.hpp"
 #include "core/line_pens.hpp"
 #include "curves.hpp"
+#include "fair.hpp"
 #include "halos.hpp"
 #include "junctions.hpp"
 #include "lengths.hpp"
@@ -159,6 +160,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     drawing.hidden_pens = pens.hidden;
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
     drop_invisible(drawing);
+    fair(lines, drawing.paths);
     const PathCurves curves{options.mesh, camera};
     curves.bend(drawing.paths);
     simplify(drawing.paths, options.tolerance, curves);
