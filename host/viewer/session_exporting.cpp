@@ -63,6 +63,8 @@ void Session::draw_preview() {
                                                     static_cast<float>(view.camera.size.y));
             auto canvas = std::make_unique<gl::Canvas>(camera.size);
             canvas->clear({options.style.paper.color, 1});
+            for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+                glTextureParameteri(canvas->texture(), filter, GL_LINEAR);
             renderer_->draw(camera, options, canvas->framebuffer());
             preview_.pictures.push_back(std::move(canvas));
         }

@@ -1,6 +1,7 @@
 // How a drawing leaves the viewer: what it is for, on which page, under which name.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -238,9 +239,14 @@ void preview(Ui& ui) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float text_height = 2 * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 space{room.x, std::max(room.y - text_height, ui.points(40))};
-    const int pixels =
-        static_cast<int>(std::max(space.x, space.y) * ImGui::GetIO().DisplayFramebufferScale.x);
-    const Session::Preview& drawn = ui.session.preview(ui.exporting.options, pixels);
+    // Pixel for pixel, of the page as it was drawn last: scaled, thin lines would be lost.
+    const ExportOptions& options = ui.exporting.options;
+    const glm::dvec2 last = glm::max(ui.session.preview(options, 1).page.size, 1.0);
+    const double fits =
+        std::min(static_cast<double>(space.x) / last.x, static_cast<double>(space.y) / last.y);
+    const auto density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+    const Session::Preview& drawn = ui.session.preview(
+        options, static_cast<int>(std::lround(density * fits * std::max(last.x, last.y))));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(space);
     ui.spots.note("export.preview");
@@ -258,7 +264,7 @@ void preview(Ui& ui) {
     const ImVec2 free{space.x - scale * static_cast<float>(size.x),
                       space.y - scale * static_cast<float>(size.y)};
     draw_page(drawn, {{corner.x + free.x / 2, corner.y + free.y / 2}, scale});
-    ImGui::TextDisabled("%s", size_text(ui.exporting.options, drawn.page).c_str());
+    ImGui::TextDisabled("%s", size_text(options, drawn.page).c_str());
 }
 
 } // namespace
