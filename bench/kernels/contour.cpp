@@ -77,6 +77,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
              .numbers = *numbers,
              .chosen = *chosen,
              .count = count,
+             .on_surface = false,
              .crossings = *crossings});
         stages.device().finish();
     };

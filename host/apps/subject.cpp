@@ -92,7 +92,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                               .silhouettes = silhouettes(arguments)};
     if (!arguments.scene.empty()) {
         Scene scene = make_scene(arguments.scene);
-        LoadedMesh apart{.mesh = std::move(scene.mesh)};
+        LoadedMesh apart{.mesh = std::move(scene.mesh), .notes = {}};
         arguments.explode.apply(apart);
         scene.mesh = std::move(apart.mesh);
         std::vector<std::string> notes;

@@ -13,8 +13,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "diagonal.hpp"
 #include "base/groups.hpp"
+#include "diagonal.hpp"
 #include "surface/round_surface.hpp"
 
 namespace lineatlas {

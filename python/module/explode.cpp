@@ -19,7 +19,7 @@ std::shared_ptr<Model> exploded(const Model& model, Real<"factor"> factor,
     Explosion explosion{.factor = static_cast<double>(*factor), .trails = trails};
     for (const auto& [part, by] : *moves)
         explosion.moves.push_back({.part = part, .by = {by[0], by[1], by[2]}});
-    LoadedMesh loaded{.mesh = model.mesh, .parts = model.parts};
+    LoadedMesh loaded{.mesh = model.mesh, .notes = {}, .parts = model.parts};
     explode(loaded, explosion);
     return std::make_shared<Model>(Model{.mesh = std::move(loaded.mesh),
                                          .notes = model.notes,

@@ -81,6 +81,7 @@ class ContourTest : public StageTest {
              .numbers = *scanned_numbers,
              .chosen = *list,
              .count = count,
+             .on_surface = false,
              .crossings = *crossings});
         found.crossings = get<compute::ContourCrossing>(*crossings, count);
         const auto all = get<glm::vec3>(*vertices, room.size());

@@ -90,9 +90,9 @@ struct VectorPath {
     bool outline = false;             ///< has the background beside it all along
     /// Left out where lines are dense (Style::density): files have it where it is not shown.
     bool thinned = false;
-    std::uint32_t pen = 0;            ///< index into VectorDrawing::pens, or hidden_pens
-    float alpha = 1;                  ///< mean visibility
-    std::vector<VectorPoint> points;  ///< two at least
+    std::uint32_t pen = 0;           ///< index into VectorDrawing::pens, or hidden_pens
+    float alpha = 1;                 ///< mean visibility
+    std::vector<VectorPoint> points; ///< two at least
     /// In order along the path. Several pieces have the same point if consecutive segments lie on
     /// one straight line.
     std::vector<VectorPiece> pieces;

@@ -29,8 +29,8 @@ struct VisibilityOptions {
     /// Pixels, 0.01 to 10000: a line of one segment that is shorter is left out, as with
     /// FrameOptions::step.
     float step = 2;
-    bool outlines = false;   ///< find what LineVisibility::outlines() returns
-    float outline_depth = 6; ///< for the same, pixels, at least 0: thinner bodies have no outline
+    bool outlines = false;     ///< find what LineVisibility::outlines() returns
+    float outline_depth = 6;   ///< for the same, pixels, at least 0: thinner bodies have no outline
     float centre_overhang = 0; ///< Style::centre_overhang, pixels, at least 0
 };
 
