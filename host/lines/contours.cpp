@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <compare>
+#include <numbers>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -16,6 +17,14 @@
 namespace lineatlas {
 namespace {
 
+constexpr double degree = std::numbers::pi / 180;
+constexpr std::uint32_t least_faces = 64;
+constexpr std::uint32_t many_faces = 15'000; ///< so many of what nobody designed show its shape
+constexpr double most_flat = 0.3;            ///< of a patch's faces: more than half are not
+constexpr double least_altitude = 0.25;      ///< of the longest edge, in the middle of all faces
+constexpr double least_steadiness = 1.0 / 3;
+constexpr double sharp_bend = 15 * degree;
+constexpr double most_sharp = 0.1;      ///< of a patch's edges
 constexpr double tip_agreement = 0.999; ///< of normals about a corner, by their mean's length
 
 /// A side of a triangle, from corner k to the next, kept at the smaller of its two vertices.
@@ -56,17 +65,16 @@ class ContourFinder {
     /// Edges within a patch: their two sides, and what that joins.
     void match_sides() {
         find_pairs();
-        bends_.assign(faces_, false);
+        is_flat_.assign(faces_, false);
         for (std::size_t i = 0; i < in_.edges.size(); ++i) {
             const auto [a, b] = joins_[i];
             if (a == none) continue;
+            if (in_.bends[i] < flat_bend) is_flat_[a / 3] = is_flat_[b / 3] = true;
             if (is_within(i) && vertex(a) != vertex(b) &&
-                knows_normals(a / 3) == knows_normals(b / 3)) {
+                knows_normals(a / 3) == knows_normals(b / 3))
                 join(a, b);
-                if (in_.bends[i] >= flat_bend) bends_[a / 3] = true;
-            } else {
+            else
                 joins_[i] = {none, none};
-            }
         }
     }
 
@@ -111,22 +119,41 @@ class ContourFinder {
     }
 
     void choose_patches(Silhouettes rule) {
-        std::vector<std::uint32_t> count(faces_, 0), known(faces_, 0);
+        std::vector<std::uint32_t> count(faces_, 0), flat(faces_, 0), slivers(faces_, 0),
+            known(faces_, 0);
+        std::vector<std::uint32_t> edges(faces_, 0), sharp(faces_, 0);
+        std::vector<bool> bends(faces_, false);
         for (std::uint32_t f = 0; f < faces_; ++f) {
-            ++count[patches_.find(f)];
-            known[patches_.find(f)] += knows_normals(f) ? 1 : 0;
+            const std::uint32_t patch = patches_.find(f);
+            ++count[patch];
+            flat[patch] += is_flat_[f] ? 1 : 0;
+            slivers[patch] += is_sliver(f) ? 1 : 0;
+            known[patch] += knows_normals(f) ? 1 : 0;
+        }
+        for (std::size_t i = 0; i < in_.edges.size(); ++i) {
+            if (joins_[i][0] == none) continue;
+            const std::uint32_t patch = patches_.find(joins_[i][0] / 3);
+            ++edges[patch];
+            sharp[patch] += in_.bends[i] > sharp_bend ? 1 : 0;
+            if (in_.bends[i] >= flat_bend) bends[patch] = true;
         }
         smooth_.assign(faces_, false);
-        const auto choose = [&](std::uint32_t face) {
-            const std::uint32_t patch = patches_.find(face);
-            if (bends_[face]) smooth_[patch] = true;
-        };
-        for (std::uint32_t f = 0; f < faces_; ++f)
-            if (rule == Silhouettes::smooth || known[patches_.find(f)] == count[patches_.find(f)])
-                choose(f);
-        if (in_.corner_normals.empty())
-            for (const std::uint32_t f : in_.undesigned) choose(f);
+        std::vector<std::uint32_t> undesigned(faces_, 0);
+        if (rule != Silhouettes::smooth && in_.corner_normals.empty())
+            for (const std::uint32_t f : in_.undesigned) ++undesigned[patches_.find(f)];
+        std::vector<bool> organic(faces_, false);
+        for (std::uint32_t p = 0; p < faces_; ++p) {
+            const bool exact = known[p] == count[p];
+            organic[p] = rule != Silhouettes::smooth && !exact && in_.corner_normals.empty() &&
+                         count[p] >= least_faces && is_of_solid(p) &&
+                         flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p] &&
+                         sharp[p] < most_sharp * edges[p];
+            const bool many = undesigned[p] == count[p] && count[p] >= many_faces;
+            organic[p] = organic[p] && !many;
+            smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic[p] || exact || many);
+        }
         add_normals();
+        if (std::ranges::find(organic, true) != organic.end()) keep_steady(organic);
     }
 
     /// Normals of corners: the surface's own where the file has them, else those of the triangles
@@ -152,6 +179,58 @@ class ContourFinder {
             else if (length > 0)
                 normal /= length;
         }
+    }
+    /// Of those patches only ones stay smooth that bend at a corner much as at the next: how they
+    /// do, as the mean sine by which edges fall away there, correlates with itself along edges.
+    /// Noise does not, and normals between corners say nothing of what lies there.
+    void keep_steady(const std::vector<bool>& patches) {
+        struct Bend {
+            double sum = 0;
+            std::uint32_t edges = 0;
+            double mean() const { return edges > 0 ? sum / edges : 0; }
+        };
+        std::vector<Bend> of_corner(corners_size());
+        const auto for_each_edge = [&](const auto& each) {
+            for (const std::array<std::uint32_t, 2>& sides : joins_) {
+                const std::uint32_t c = sides[0];
+                if (c == none || !patches[patches_.find(c / 3)]) continue;
+                each(patches_.find(c / 3), c, next_corner(c));
+            }
+        };
+        for_each_edge([&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
+            const glm::dvec3 way = place(b) - place(a);
+            const double length = glm::length(way);
+            const auto add = [&](std::uint32_t corner, double sign) {
+                const std::uint32_t set = corners_.find(corner);
+                of_corner[set].sum += sign * glm::dot(normals_[set], way) / length;
+                ++of_corner[set].edges;
+            };
+            add(a, -1);
+            add(b, 1);
+        });
+        std::vector<double> products(faces_, 0), squares(faces_, 0);
+        for_each_edge([&](std::uint32_t patch, std::uint32_t a, std::uint32_t b) {
+            const double at_a = of_corner[corners_.find(a)].mean();
+            const double at_b = of_corner[corners_.find(b)].mean();
+            products[patch] += at_a * at_b;
+            squares[patch] += (at_a * at_a + at_b * at_b) / 2;
+        });
+        for (std::uint32_t p = 0; p < faces_; ++p)
+            if (patches[p] && products[p] < least_steadiness * squares[p]) smooth_[p] = false;
+    }
+    bool is_sliver(std::uint32_t face) const {
+        double longest = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const glm::dvec3 way = place(next_corner(3 * face + k)) - place(3 * face + k);
+            longest = std::max(longest, glm::dot(way, way));
+        }
+        const glm::dvec3 twice_area = glm::cross(place(3 * face + 1) - place(3 * face),
+                                                 place(3 * face + 2) - place(3 * face));
+        return glm::length(twice_area) <= least_altitude * longest;
+    }
+
+    bool is_of_solid(std::uint32_t face) const {
+        return in_.solid[in_.parts.of_vertex[in_.mesh.triangles[face].x]];
     }
 
     /// Whether the file says of a face where its surface looks, but for a tip.
@@ -214,18 +293,31 @@ class ContourFinder {
     VertexSets patches_;                              ///< of triangles
     VertexSets corners_;                              ///< of corners, which have a normal in common
     std::vector<std::array<std::uint32_t, 2>> joins_; ///< per edge its sides, or none
-    std::vector<bool> bends_;                         ///< triangles, to a neighbour
+    std::vector<bool> is_flat_;                       ///< triangles
     std::vector<bool> smooth_;                        ///< patches
     std::vector<glm::dvec3> normals_;                 ///< of corners, by their sets
     std::vector<std::uint32_t> number_;               ///< of corners, in Contours::corners
     std::vector<std::uint32_t> edge_of_side_;         ///< as in Contours::faces
 };
 
+/// Whether any patch may be smooth by Silhouettes::automatic: of few models that somebody designed
+/// as a mesh, and to find the patches takes more memory than all else. It asks for less than
+/// choose_patches() does, since edges have other faces in place of slivers.
+bool may_be_organic(const ContourInput& in) {
+    const std::vector<bool> is_flat = flat_faces(in.mesh.triangles.size(), in.edges, in.bends);
+    std::vector<std::uint32_t> bent(in.parts.count, 0);
+    for (std::size_t face = 0; face < is_flat.size(); ++face) {
+        const std::uint32_t part = in.parts.of_vertex[in.mesh.triangles[face].x];
+        if (!is_flat[face] && in.solid[part]) ++bent[part];
+    }
+    return std::ranges::any_of(bent, [](std::uint32_t n) { return n >= least_faces / 2; });
+}
+
 } // namespace
 
 FoundContours find_contours(const ContourInput& input, Silhouettes rule) {
     const bool by_shape = rule == Silhouettes::automatic && input.corner_normals.empty();
-    if (by_shape && input.undesigned.empty()) return {};
+    if (by_shape && input.undesigned.empty() && !may_be_organic(input)) return {};
     return ContourFinder{input}.find(rule);
 }
 

@@ -7,6 +7,7 @@
 
 #include "edges.hpp"
 #include "lineatlas/lines.hpp"
+#include "parts.hpp"
 #include "weld.hpp"
 
 namespace lineatlas {
@@ -20,6 +21,8 @@ struct ContourInput {
     double most_bend;                               ///< of edges within a patch, radians
     std::span<const glm::vec3> corner_normals;      ///< Mesh::corner_normals
     std::span<const std::uint32_t> undesigned;      ///< triangles: see undesigned_faces()
+    const MeshParts& parts;
+    const std::vector<bool>& solid; ///< parts: see solid_parts()
 };
 
 /// Where silhouettes are smooth.
@@ -31,9 +34,15 @@ struct FoundContours {
 };
 
 /// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
-/// silhouettes and are nothing else. Of Silhouettes::smooth one is smooth if it bends at all; of
-/// Silhouettes::automatic if besides nobody designed it, or, where any normals of the surface are
-/// known, if all of its are.
+/// silhouettes and are nothing else. Of Silhouettes::smooth one is smooth if it bends at all. Of
+/// Silhouettes::automatic one is smooth
+/// - where any normals of the surface are known, if it bends and all of its are;
+/// - else if nobody designed any of its triangles and it has at least 15,000 of them;
+/// - else if it is of a solid, has at least 64 triangles, less than 30 % of them flat (an edge
+/// bends
+///   by less than 0.5 degrees) and half of them no slivers (lowest altitude above a quarter of the
+///   longest edge), if less than a tenth of its edges bend by more than 15 degrees, and if it bends
+///   at one corner much as at the next.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 
 } // namespace lineatlas

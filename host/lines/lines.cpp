@@ -353,17 +353,20 @@ class Extraction {
         // Where creases are not wanted their edges are silhouettes, and part patches all the same.
         const bool by_kind = wanted(LineKind::crease);
         const double crease = options_.crease.value_or(least_crease_angle);
+        const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
         smooth_ = find_contours({.mesh = welded_,
                                  .edges = edges_,
                                  .bends = bends_,
                                  .kinds = kinds_,
                                  .most_bend = by_kind ? std::numbers::pi : crease,
                                  .corner_normals = mesh_.corner_normals,
-                                 .undesigned = undesigned_},
+                                 .undesigned = undesigned_,
+                                 .parts = parts_,
+                                 .solid = solid},
                                 options_.silhouettes);
-        const std::vector<bool> solid = solid_parts(welded_, edges_, parts_);
         std::vector<bool> undesigned(welded_.triangles.size(), false);
-        for (const std::uint32_t face : undesigned_) undesigned[face] = true;
+        if (mesh_.corner_normals.empty()) // which say how the surface runs
+            for (const std::uint32_t face : undesigned_) undesigned[face] = true;
         for (const std::uint32_t face : smooth_.faces) {
             const bool in_solid = solid[parts_.of_vertex[welded_.triangles[face].x]];
             contour_tags_.push_back((in_solid ? LA_TAG_SOLID : 0) |

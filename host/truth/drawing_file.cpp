@@ -136,7 +136,7 @@ VectorCurve curve_of(const nlohmann::json& json) {
 }
 
 void add_path(const nlohmann::json& path, DrawingFile& drawing) {
-    if (!path.at("visible").get<bool>() || path.at("kind") == centre) return;
+    if (!path.at("visible").get<bool>() || path.value("kind", "") == centre) return;
     std::vector<glm::dvec2> points;
     for (const nlohmann::json& one : path.at("points")) points.push_back(point(one));
     std::vector<VectorCurve> curves;

@@ -160,7 +160,7 @@ NOT_IN_PYTHON = {
         OpenMeshModel.* OpenMeshNormals.* OpenMeshOptions.* add_polygon()""",
     "said by warnings": "Renderer.note()",
     "figures of a frame, which `lineatlas draw --stats`, --profile and --kernels give": """
-        FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.take_profiles() FrameProfile.*
+        FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.tables() Renderer.take_profiles() FrameProfile.*
         ProfileEvent.* ProfileTrack.* StageShare.* profile_csv() profile_table() profile_trace() stage_shares()
         Bound Bound.* KernelTime.* LaunchCounts.* Roofs.* kernel_csv() kernel_json() kernel_table() kernel_times()
         measure_arithmetic() register_counting_device() roofline_svg() take_launch_counts()

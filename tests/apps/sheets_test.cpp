@@ -264,7 +264,7 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     expect_refused(to + "front --field colour=red", 2, "title, file, owner");
     expect_refused(to + "front --field title", 2, "title=Bracket");
     expect_refused(to + "front --page 80x80mm", 2, "too small for a sheet");
-    expect_refused(to + "front --method atlas", 2, "exact alone");
+    expect_refused(to + "front --method atlas", 2, "only exact");
     expect_refused(to + "front --dpi 300", 2, "--dpi is for pictures of pixels");
     expect_refused(draw + path("x.svg") + " --field title=Cube", 2, "see --views");
     expect_refused(draw + path("x.eps") + " --views front", 1, "other programs make .eps");

@@ -41,7 +41,7 @@ class RoundTruth : public Brep {
 
     /// Of drawings by the method `exact`.
     static void expect_right(const Mesh& mesh, const LineSet& lines, double most_off = 0.05) {
-        const ModelTruth model{mesh, lines, {}};
+        const ModelTruth model{mesh, lines, {.lines = usual_line_kinds}};
         LineVisibility visibility{lines};
         for (const std::string& direction : directions) {
             SCOPED_TRACE(direction);
@@ -87,7 +87,7 @@ TEST_F(RoundTruth, OfSolids) {
         SCOPED_TRACE(name);
         const Mesh mesh = mesh_of(shape);
         ASSERT_FALSE(mesh.surfaces.empty());
-        expect_right(mesh, extract_lines(mesh));
+        expect_right(mesh, extract_lines(mesh, {.lines = usual_line_kinds}));
     }
 }
 

@@ -86,7 +86,8 @@ class ViewerDriver {
     bool has(const std::string& spot) const { return app_.ui().spots.find(spot).has_value(); }
     /// Scrolls the sidebar until an item of it is in sight.
     void reveal(const std::string& spot) {
-        constexpr double top = 10, bottom = 540; // above the footer of a fine display, too
+        constexpr double top = 30,
+                         bottom = 540; // below the edge, above the footer of a fine display
         const double x = app_.window().points().x - 100;
         for (int i = 0; i < 100; ++i) {
             const glm::dvec2 place = middle_of(spot);

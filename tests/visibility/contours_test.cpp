@@ -547,8 +547,8 @@ int gaps_beside(const VectorDrawing& drawing, double radius, double reach) {
 
 TEST(Contours, OfARoughBallHaveNeitherGapsNorCrumbs) {
     Random random{71};
-    const LineSet lines =
-        extract_lines(rough_sphere(0.1F), {.lines = mask_of(LineKind::silhouette)});
+    const LineSet lines = extract_lines(rough_sphere(0.1F), {.lines = mask_of(LineKind::silhouette),
+                                                             .silhouettes = Silhouettes::smooth});
     for (int view = 0; view < 5; ++view) {
         SCOPED_TRACE(view);
         const VectorDrawing drawing = seen_of(lines, parallel_view(random.direction()));
