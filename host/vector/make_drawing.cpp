@@ -174,7 +174,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     sort_for_drawing(drawing.paths);
     if (options.mesh != nullptr) add_groups(*options.mesh, drawing);
     if (options.plotter) {
-        std::erase_if(drawing.paths, &VectorPath::thinned);
+        std::erase_if(drawing.paths, [](const VectorPath& path) { return path.thinned; });
         drawing.travel = order_for_plotter(drawing.paths);
     }
     curves.find(drawing.paths);
