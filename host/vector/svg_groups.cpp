@@ -45,7 +45,10 @@ void set_stroke(XmlElement& group, const Pen& pen, const Sheet& sheet) {
     group.set("stroke-linecap", stroke.round ? "round" : "butt");
     if (stroke.dashes.empty()) return;
     std::string dashes;
-    for (const double each : stroke.dashes) dashes += (dashes.empty() ? "" : " ") + length(each);
+    for (const double each : stroke.dashes) {
+        if (!dashes.empty()) dashes += ' ';
+        dashes += length(each);
+    }
     group.set("stroke-dasharray", dashes);
 }
 
