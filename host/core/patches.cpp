@@ -1,8 +1,8 @@
 #include "patches.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/vertex_sets.hpp"
 #include "pair_key.hpp"
 
 namespace lineatlas {
@@ -27,27 +27,6 @@ std::vector<TriangleEdge> sorted_edges(std::span<const glm::uvec3> triangles) {
     return edges;
 }
 
-/// Disjoint sets; each is named by its least member.
-class Sets {
-  public:
-    explicit Sets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 } // namespace
 
 std::vector<std::uint32_t> smooth_patches(std::span<const glm::uvec3> triangles,
@@ -66,7 +45,7 @@ std::vector<std::uint32_t> smooth_patches(std::span<const glm::uvec3> triangles,
     std::ranges::sort(borders);
     std::ranges::sort(parted);
     const std::vector<TriangleEdge> edges = sorted_edges(triangles);
-    Sets patches{triangles.size()};
+    VertexSets patches{triangles.size()};
     for (std::size_t first = 0; first < edges.size();) {
         std::size_t end = first;
         while (end < edges.size() && edges[end].key == edges[first].key) ++end;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
+#include "base/vertex_sets.hpp"
 #include "place_grid.hpp"
 
 namespace lineatlas {
@@ -18,26 +18,6 @@ struct TripleHash {
         h ^= (std::uint64_t{bits[1]} << 32U | bits[2]) * 0xC2B2AE3D27D4EB4FULL;
         return static_cast<std::size_t>(h ^ h >> 29U);
     }
-};
-
-/// Sets that grow together.
-class Unions {
-  public:
-    explicit Unions(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t root(std::uint32_t of) {
-        while (parent_[of] != of) of = parent_[of] = parent_[parent_[of]];
-        return of;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
 };
 
 /// The object of each triangle, as the number of a name; 0: it has none.
@@ -58,24 +38,24 @@ std::vector<std::uint32_t> objects_of(const Mesh& mesh) {
 std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions, double rounding) {
     const auto count = static_cast<std::uint32_t>(positions.size());
     PlaceGrid grid{positions, rounding};
-    Unions unions{count};
+    VertexSets sets{count};
     for (std::uint32_t i = 0; i < count; ++i) {
         bool is_known = false; // exactly; it has met all others there
         grid.visit(positions[i], [&](std::uint32_t near) {
-            unions.join(near, i);
+            sets.unite(near, i);
             return is_known = positions[near] == positions[i];
         });
         if (!is_known) grid.add(i);
     }
     std::vector<std::uint32_t> numbers(count);
-    for (std::uint32_t i = 0; i < count; ++i) numbers[i] = unions.root(i);
+    for (std::uint32_t i = 0; i < count; ++i) numbers[i] = sets.find(i);
     return numbers;
 }
 
 Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
     const std::vector<std::uint32_t> objects = objects_of(mesh);
-    Unions unions{count};
+    VertexSets sets{count};
     // Objects that touch along an edge do not hang together there.
     std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TripleHash> triangle_at;
     triangle_at.reserve(2 * mesh.triangles.size());
@@ -85,7 +65,7 @@ Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
             const std::uint32_t q = places[mesh.triangles[i][(corner + 1) % 3]];
             const auto [found, fresh] =
                 triangle_at.emplace(std::array{std::min(p, q), std::max(p, q), objects[i]}, i);
-            if (!fresh) unions.join(found->second, i);
+            if (!fresh) sets.unite(found->second, i);
         }
     }
     Parts parts;
@@ -93,7 +73,7 @@ Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
     std::map<std::uint32_t, std::uint32_t> looks; // of objects
     std::vector<std::uint32_t> number(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t root = unions.root(i);
+        const std::uint32_t root = sets.find(i);
         if (root == i) {
             number[i] = static_cast<std::uint32_t>(parts.name.size());
             const bool named = objects[i] != 0;
