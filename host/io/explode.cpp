@@ -45,6 +45,31 @@ struct Node {
     }
 };
 
+/// Which part has each of some numbered things. What several parts have becomes one for each.
+class PartOwners {
+  public:
+    explicit PartOwners(std::size_t count) : parts_(count, none) {}
+
+    /// `thing` is the part's own from here on; copy(thing) adds one like it behind all others.
+    template <class Copy>
+    void own(std::uint32_t& thing, std::uint32_t part, const Copy& copy) {
+        if (parts_[thing] == none) parts_[thing] = part;
+        if (parts_[thing] == part) return;
+        const auto fresh = static_cast<std::uint32_t>(parts_.size());
+        const auto [copied, is_new] = copies_.try_emplace({thing, part}, fresh);
+        if (is_new) {
+            copy(thing);
+            parts_.push_back(part);
+        }
+        thing = copied->second;
+    }
+    const std::vector<std::uint32_t>& parts() const { return parts_; }
+
+  private:
+    std::vector<std::uint32_t> parts_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies_; ///< by thing and part
+};
+
 /// Moves what belongs to parts.
 class Exploder {
   public:
@@ -107,27 +132,19 @@ class Exploder {
 
     /// Positions that belong to several parts become one for each.
     void own_positions() {
-        part_of_position_.assign(mesh_.positions.size(), none);
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;
-        const auto own = [&](std::uint32_t& position, std::uint32_t part) {
-            std::uint32_t& owner = part_of_position_[position];
-            if (owner == none) owner = part;
-            if (owner == part) return;
-            const auto fresh = static_cast<std::uint32_t>(mesh_.positions.size());
-            const auto [copy, is_new] = copies.try_emplace({position, part}, fresh);
-            if (is_new) {
-                const glm::vec3 place = mesh_.positions[position];
-                mesh_.positions.push_back(place);
-                part_of_position_.push_back(part);
-            }
-            position = copy->second;
+        PartOwners owners{mesh_.positions.size()};
+        const auto copy = [&](std::uint32_t position) {
+            const glm::vec3 place = mesh_.positions[position];
+            mesh_.positions.push_back(place);
         };
         for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-            for (int k = 0; k < 3; ++k) own(mesh_.triangles[i][k], paths_.of_triangle[i]);
+            for (int k = 0; k < 3; ++k)
+                owners.own(mesh_.triangles[i][k], paths_.of_triangle[i], copy);
         for (std::size_t i = 0; i < mesh_.polylines.size(); ++i)
             if (paths_.of_polyline[i] != none)
                 for (std::uint32_t& position : mesh_.polylines[i])
-                    own(position, paths_.of_polyline[i]);
+                    owners.own(position, paths_.of_polyline[i], copy);
+        part_of_position_ = owners.parts();
     }
 
     void find_boxes() {
@@ -162,25 +179,17 @@ class Exploder {
 
     void move_surfaces() {
         KnownSurfaces& known = mesh_.surfaces;
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies; // by part
-        std::vector<std::uint32_t> owner(known.surfaces.size(), none);
+        PartOwners owners{known.surfaces.size()};
         for (std::size_t i = 0; i < known.of_triangle.size(); ++i) {
-            std::uint32_t& surface = known.of_triangle[i];
-            if (surface == KnownSurfaces::none) continue;
-            const std::uint32_t part = paths_.of_triangle[i];
-            if (owner[surface] == none) owner[surface] = part;
-            if (owner[surface] == part) continue;
-            const auto fresh = static_cast<std::uint32_t>(known.surfaces.size());
-            const auto [copy, is_new] = copies.try_emplace({surface, part}, fresh);
-            if (is_new) {
+            if (known.of_triangle[i] == KnownSurfaces::none) continue;
+            owners.own(known.of_triangle[i], paths_.of_triangle[i], [&](std::uint32_t surface) {
                 const PlacedSurface placed = known.surfaces[surface];
                 known.surfaces.push_back(placed);
-                owner.push_back(part);
-            }
-            surface = copy->second;
+            });
         }
         for (std::size_t i = 0; i < known.surfaces.size(); ++i)
-            if (owner[i] != none) known.surfaces[i].model_from_shape[3] += moved(owner[i]);
+            if (owners.parts()[i] != none)
+                known.surfaces[i].model_from_shape[3] += moved(owners.parts()[i]);
     }
 
     void move_curves() {
