@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 #include <glm/geometric.hpp>
 
 #include "command_line/view_options.hpp"
@@ -15,9 +17,6 @@ namespace lineatlas::viewer {
 namespace {
 
 constexpr float print_dpi = 300;
-constexpr double millimetres_of_inch = 25.4;
-/// A pixel of a drawing as paths, as CSS has it.
-const double millimetres_of_pixel = length_in({1, Unit::px}, Unit::mm);
 
 Page page_of(const ExportOptions& options) {
     return parse_page(options.page);
@@ -50,7 +49,8 @@ Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawin
     Sheet sheet = lay_out(drawing.window, page, margin, Unit::mm);
     if (options.scale.empty()) return {drawing.view, drawing.window, sheet};
     const glm::dvec2 room = sheet.size - 2.0 * static_cast<double>(options.margin);
-    const glm::ivec2 size{glm::max(glm::round(room / millimetres_of_pixel), 1.0)};
+    const double pixel = length_in({1, Unit::px}, Unit::mm); // of a drawing as paths, as CSS has it
+    const glm::ivec2 size{glm::max(glm::round(room / pixel), 1.0)};
     sheet = lay_out(size, page, margin, Unit::mm);
     const View& seen = drawing.view;
     const std::vector<glm::vec3>& points = drawing.model.framed;
@@ -61,23 +61,29 @@ Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawin
     return {view, size, sheet};
 }
 
+/// Nothing for what stands on no page.
+std::optional<Placed> placed(const ExportOptions& options, const ExportedDrawing& drawing) {
+    if (!is_on_paper(options)) return std::nullopt;
+    return place_on_page(options, drawing);
+}
+
 /// The picture that is written: of pixels as many as its place on paper has at print_dpi.
-SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& drawing) {
+SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& drawing,
+                        const std::optional<Placed>& place) {
     SavedPicture picture{.model = drawing.model,
                          .view = drawing.view,
                          .size = drawing.window,
                          .options = drawing.options};
-    if (!is_on_paper(options)) {
+    if (!place) {
         if (is_pixels(options)) picture.size *= options.pixels;
         return picture;
     }
-    const Placed placed = place_on_page(options, drawing);
-    picture.view = placed.view;
-    picture.size = placed.size;
+    picture.view = place->view;
+    picture.size = place->size;
     if (is_pixels(options)) {
         const double dots =
-            placed.sheet.scale / millimetres_of_inch * static_cast<double>(print_dpi);
-        picture.size = glm::ivec2{glm::max(glm::round(dots * glm::dvec2{placed.size}), 1.0)};
+            length_in({place->sheet.scale, Unit::mm}, Unit::in) * static_cast<double>(print_dpi);
+        picture.size = glm::ivec2{glm::max(glm::round(dots * glm::dvec2{place->size}), 1.0)};
         picture.dpi = print_dpi;
         return picture;
     }
@@ -114,22 +120,15 @@ ExportPage page_with_sheet(const ExportOptions& options, const ExportedDrawing& 
 void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
                 const std::filesystem::path& path, Renderer& renderer) {
     const Model& model = drawing.model;
-    const auto find = [&](const Camera& camera) -> SeenLines {
-        FrameOptions frame = drawing.options;
-        frame.method = Method::exact;
-        frame.steady = false;
-        frame.intervals = KeptIntervals::all;
-        frame.draw = false;
-        renderer.draw(camera, frame, 0);
-        return {renderer.read_intervals(), renderer.read_outlines()};
-    };
+    const FrameOptions frame = options_of_paths(drawing.options);
+    const auto find = [&](const Camera& camera) { return find_paths(renderer, camera, frame); };
     const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
                                                 drawing.options.style, {.mesh = model.mesh.get()});
-    std::string views;
-    for (const std::string& view : options.views) views += (views.empty() ? "" : ",") + view;
     const std::string description =
         command_of({.model = model, .view = drawing.view, .size = {}, .options = drawing.options}) +
-        " --views " + (options.measures ? "auto" : views) + " --page " + options.page +
+        fmt::format(" --views {} --page {}",
+                    options.measures ? "auto" : fmt::format("{}", fmt::join(options.views, ",")),
+                    options.page) +
         (options.scale.empty() ? "" : " --scale " + options.scale);
     const bool is_cut = options.purpose == Purpose::laser;
     const bool is_drawn = options.purpose == Purpose::plotter;
@@ -159,17 +158,17 @@ bool is_on_paper(const ExportOptions& options) {
 
 ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing) {
     if (options.sheet) return page_with_sheet(options, drawing);
-    const SavedPicture picture = picture_of(options, drawing);
+    const std::optional<Placed> place = placed(options, drawing);
+    const SavedPicture picture = picture_of(options, drawing, place);
     const Bounds& bounds = drawing.model.lines.bounds;
     PageView view{.camera = make_camera(picture.view, picture.size, bounds),
                   .style = picture.options.style};
     ExportPage page{.size = picture.size, .scale = options.scale};
     view.high = page.size;
-    if (is_on_paper(options)) {
-        const Sheet sheet = place_on_page(options, drawing).sheet;
-        page.size = sheet.size;
-        view.low = sheet.corner;
-        view.high = sheet.size - sheet.corner;
+    if (place) {
+        page.size = place->sheet.size;
+        view.low = place->sheet.corner;
+        view.high = place->sheet.size - place->sheet.corner;
     } else {
         page.scale.clear();
     }
@@ -180,7 +179,7 @@ ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing)
 void save(const ExportOptions& options, const ExportedDrawing& drawing,
           const std::filesystem::path& path, Renderer& renderer, ImageWriter& writer) {
     if (options.sheet) return save_sheet(options, drawing, path, renderer);
-    SavedPicture picture = picture_of(options, drawing);
+    SavedPicture picture = picture_of(options, drawing, placed(options, drawing));
     picture.plotter = options.purpose == Purpose::plotter || options.purpose == Purpose::laser;
     picture.fit_arcs = options.purpose == Purpose::laser;
     save(picture, path, renderer, writer);

@@ -49,8 +49,7 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     frame.description = command_of(picture);
     VectorOutput output{std::move(frame), picture.model.lines,
                         [&](const Camera& seen) -> SeenLines {
-                            renderer.draw(seen, picture.options, 0);
-                            return {renderer.read_intervals(), renderer.read_outlines()};
+                            return find_paths(renderer, seen, picture.options);
                         }};
     output.draw(camera, path);
     output.finish();
@@ -97,15 +96,26 @@ std::string command_of(const SavedPicture& picture) {
     return text + style_arguments(options.style);
 }
 
+FrameOptions options_of_paths(FrameOptions options) {
+    options.method = Method::exact;
+    options.steady = false;
+    options.intervals = KeptIntervals::all;
+    options.draw = false;
+    return options;
+}
+
+SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOptions& options) {
+    renderer.draw(camera, options, 0);
+    return {renderer.read_intervals(), renderer.read_outlines()};
+}
+
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
           ImageWriter& writer) {
     SavedPicture still = picture;
     still.options.steady = false; // nothing of the frames before
     const Camera camera = make_camera(picture.view, picture.size, picture.model.lines.bounds);
     if (!is_path_file(path)) return save_pixels(still, camera, path, renderer, writer);
-    still.options.method = Method::exact; // whatever is on the screen: as the tool finds paths
-    still.options.intervals = KeptIntervals::all;
-    still.options.draw = false;
+    still.options = options_of_paths(still.options);
     save_paths(still, camera, path, renderer);
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/image_writer.hpp"
 #include "lineatlas/renderer.hpp"
+#include "lineatlas/sheet.hpp"
 #include "loader.hpp"
 
 namespace lineatlas::viewer {
@@ -30,6 +31,12 @@ struct SavedPicture {
 /// As pixels or paths, by extension. Throws Error.
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
           ImageWriter& writer);
+
+/// With which a renderer finds paths as the tool does, whatever is on the screen.
+FrameOptions options_of_paths(FrameOptions options);
+
+/// What it finds so.
+SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOptions& options);
 
 /// The arguments with which `lineatlas` draws it, but for the camera.
 std::string command_of(const SavedPicture& picture);
