@@ -87,6 +87,10 @@ class Thread {
 
 const split = ({ signal, progress, ...rest } = {}) => [{ signal, progress }, rest];
 
+// A camera that can be sent: three.js' own objects cannot be.
+const sendable = ({ view, projection, ...size }) =>
+  ({ view: view.elements ?? view, projection: projection.elements ?? projection, ...size });
+
 class Remote {
   constructor(thread, handle) {
     this._thread = thread;
@@ -112,15 +116,10 @@ export class Lines extends Remote {
   frame(options) { return this._call('frame', [options]); }
   async draw(camera, options) {
     const [own, rest] = split(options);
-    const { view, projection, ...size } = camera; // three.js' own objects cannot be sent
-    const numbers = { view: view.elements ?? view, projection: projection.elements ?? projection };
-    const { handle } = await this._call('draw', [{ ...numbers, ...size }, rest], own);
+    const { handle } = await this._call('draw', [sendable(camera), rest], own);
     return new Drawing(this._thread, handle);
   }
-  pick(camera, x, y, options) {
-    const { view, projection, ...size } = camera;
-    return this._call('pick', [{ view: view.elements ?? view, projection: projection.elements ?? projection, ...size }, x, y, options]);
-  }
+  pick(camera, x, y, options) { return this._call('pick', [sendable(camera), x, y, options]); }
 }
 
 export class Drawing extends Remote {
