@@ -12,7 +12,8 @@ export function init(source?: string | URL | ArrayBuffer | ArrayBufferView | Web
 /** What a line is. */
 export type Kind =
   | 'crease' | 'boundary' | 'material' | 'silhouette' | 'file'
-  | 'intersection' | 'section' | 'hatching' | 'ridge' | 'valley';
+  | 'intersection' | 'section' | 'hatching' | 'ridge' | 'valley'
+  | 'tangent' | 'centre' | 'trail';
 
 /** Kinds by their numbers in {@link Segments.kind}. */
 export const kinds: readonly Kind[];

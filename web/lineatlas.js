@@ -7,6 +7,7 @@ export const supported = typeof WebAssembly === 'object' && WebAssembly.validate
 
 export const kinds = Object.freeze([
   'crease', 'boundary', 'material', 'silhouette', 'file', 'intersection', 'section', 'hatching', 'ridge', 'valley',
+  'tangent', 'centre', 'trail',
 ]);
 export const none = 0xffffffff;
 

@@ -162,6 +162,7 @@ int main(int count, char** arguments) {
     for (const char* scene : std::span{arguments, static_cast<std::size_t>(count)}.subspan(2))
         draw(folder, scene, make_scene(scene).mesh);
     if (count > 2) return 0;
+    write(folder / "kinds.json", Json(line_kind_names).dump());
     for (const char* scene : {"house", "clevis"}) draw(folder, scene, make_scene(scene).mesh);
     draw(folder, "torus", torus());
     draw(folder, "crossing", crossing_boxes());

@@ -20,6 +20,10 @@ before(async () => {
   await init();
 });
 
+test('kinds are those of the library', async () => {
+  assert.deepEqual(kinds, JSON.parse(await fileOf('kinds.json')));
+});
+
 for (const name of ['house', 'clevis', 'torus', 'crossing']) {
   test(`${name} is what the library makes of it`, async () => {
     const { positions, indices, materials, segments, ...camera } = JSON.parse(await fileOf(`${name}.json`));
