@@ -137,19 +137,18 @@ class ContourFinder {
             sharp[patch] += in_.bends[i] > sharp_bend ? 1 : 0;
             if (in_.bends[i] >= flat_bend) bends[patch] = true;
         }
-        smooth_.assign(faces_, false);
+        const bool by_shape = rule != Silhouettes::smooth && in_.corner_normals.empty();
         std::vector<std::uint32_t> undesigned(faces_, 0);
-        if (rule != Silhouettes::smooth && in_.corner_normals.empty())
+        if (by_shape)
             for (const std::uint32_t f : in_.undesigned) ++undesigned[patches_.find(f)];
+        smooth_.assign(faces_, false);
         std::vector<bool> organic(faces_, false);
         for (std::uint32_t p = 0; p < faces_; ++p) {
             const bool exact = known[p] == count[p];
-            organic[p] = rule != Silhouettes::smooth && !exact && in_.corner_normals.empty() &&
-                         count[p] >= least_faces && is_of_solid(p) &&
+            const bool many = undesigned[p] == count[p] && count[p] >= many_faces;
+            organic[p] = by_shape && !exact && !many && count[p] >= least_faces && is_of_solid(p) &&
                          flat[p] < most_flat * count[p] && 2 * slivers[p] < count[p] &&
                          sharp[p] < most_sharp * edges[p];
-            const bool many = undesigned[p] == count[p] && count[p] >= many_faces;
-            organic[p] = organic[p] && !many;
             smooth_[p] = bends[p] && (rule == Silhouettes::smooth || organic[p] || exact || many);
         }
         add_normals();
@@ -180,6 +179,7 @@ class ContourFinder {
                 normal /= length;
         }
     }
+
     /// Of those patches only ones stay smooth that bend at a corner much as at the next: how they
     /// do, as the mean sine by which edges fall away there, correlates with itself along edges.
     /// Noise does not, and normals between corners say nothing of what lies there.
@@ -218,6 +218,7 @@ class ContourFinder {
         for (std::uint32_t p = 0; p < faces_; ++p)
             if (patches[p] && products[p] < least_steadiness * squares[p]) smooth_[p] = false;
     }
+
     bool is_sliver(std::uint32_t face) const {
         double longest = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
