@@ -34,7 +34,7 @@ constexpr double square = 1e-3;
 /// Degrees around an axis that surfaces cover.
 using Turn = std::bitset<360>;
 
-struct Span {
+struct Extent {
     double from = std::numeric_limits<double>::infinity(), to = -from;
     void add(double at) {
         from = std::min(from, at);
@@ -80,7 +80,7 @@ bool is_same(const AxisLine& a, const AxisLine& b, double tolerance) {
 /// Surfaces that share an axis and lie beside each other.
 struct Body {
     AxisLine axis;
-    Span along{};
+    Extent along{};
     double radius = 0; ///< the largest
     Turn turn{};
     std::uint32_t triangle = 0; ///< one of them, of the welded mesh
