@@ -247,13 +247,18 @@ class Extraction {
         find_tangents(known);
         if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
-        const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (!noisy[i] || known.drawn(edges_[i])) continue;
-            kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
+            take_crease_away(i);
             ++left_out_.noisy_creases;
         }
         times_.creases = milliseconds_since(start);
+    }
+
+    /// The edge is whatever it is besides.
+    void take_crease_away(std::size_t i) {
+        const LineOptions others{.lines = options_.lines & ~mask_of(LineKind::crease)};
+        kinds_[i] = classify(edges_[i], welded_, bends_[i], others);
     }
 
     /// Where bodies of one material meet in one plane, no line is seen.
@@ -550,17 +555,15 @@ class Extraction {
 
     /// Where ridges and valleys run, creases say the same once more, in zigzags.
     void find_shape() {
-        if ((options_.lines & LA_KINDS_OF_SHAPE) == 0) return;
+        if ((options_.lines & LA_KINDS_OF_SHAPE) == 0 || undesigned_.empty()) return;
         const std::int64_t start = host_nanoseconds();
         const std::vector<bool> may_go = creases_by_angle();
         std::vector<bool> drawn(edges_.size(), false);
         for (std::size_t i = 0; i < edges_.size(); ++i)
             drawn[i] = kinds_[i] && *kinds_[i] != LineKind::silhouette && !may_go[i];
         FoundRidges found = find_ridges(welded_, edges_, undesigned_, drawn, may_go);
-        const LineOptions smooth{.lines = options_.lines & ~mask_of(LineKind::crease)};
         for (std::size_t i = 0; i < found.said.size(); ++i)
-            if (found.said[i] && bends_[i] < sharp_crease)
-                kinds_[i] = classify(edges_[i], welded_, bends_[i], smooth);
+            if (found.said[i] && bends_[i] < sharp_crease) take_crease_away(i);
         ridges_ = std::move(found.ridges);
         times_.ridges = milliseconds_since(start);
     }
