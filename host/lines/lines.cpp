@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -36,6 +35,8 @@
 #include "seams.hpp"
 #include "surface/round_surface.hpp"
 #include "t_junctions.hpp"
+#include "tangent_edges.hpp"
+#include "triangle_groups.hpp"
 #include "triangle_tree.hpp"
 #include "undesigned_faces.hpp"
 #include "weld.hpp"
@@ -97,66 +98,6 @@ LineSource triangle_edge(const Mesh& mesh, const WeldedMesh& welded, std::uint32
         if (corners[i] == q) result.to = position;
     }
     return result;
-}
-
-/// The colours of groups, and which one each triangle has.
-void add_colors(const std::vector<MeshGroup>& groups,
-                const std::vector<std::uint32_t>& triangle_group, LineSet& result) {
-    std::map<std::array<float, 3>, std::uint16_t> known;
-    const auto coded = [&](const MeshGroup& group) -> std::uint16_t {
-        if (!group.color) return LineSet::no_color;
-        const glm::vec3 color = *group.color;
-        const auto found = known.find({color.x, color.y, color.z});
-        if (found != known.end()) return found->second;
-        if (known.size() == LineSet::no_color) return LineSet::no_color;
-        const auto fresh = static_cast<std::uint16_t>(known.size());
-        known[{color.x, color.y, color.z}] = fresh;
-        result.colors.push_back(color);
-        return fresh;
-    };
-    std::vector<std::uint16_t> color_of_group;
-    color_of_group.reserve(groups.size());
-    for (const MeshGroup& group : groups) color_of_group.push_back(coded(group));
-    if (result.colors.empty()) return;
-    result.triangle_color.reserve(triangle_group.size());
-    for (const std::uint32_t group : triangle_group)
-        result.triangle_color.push_back(color_of_group[group]);
-}
-
-/// Materials as numbers: triangles of one are one surface where they meet in a plane. What has no
-/// material is of its object.
-std::vector<std::uint32_t> materials_of(const std::vector<MeshGroup>& groups,
-                                        const WeldedMesh& mesh,
-                                        const std::vector<std::uint32_t>& objects) {
-    std::map<std::pair<std::string, bool>, std::uint32_t> known;
-    std::vector<std::uint32_t> of_group;
-    for (const MeshGroup& group : groups) {
-        const bool named = !group.material.empty();
-        const auto fresh = static_cast<std::uint32_t>(known.size());
-        of_group.push_back(
-            known.emplace(std::pair{named ? group.material : group.object, named}, fresh)
-                .first->second);
-    }
-    std::vector<std::uint32_t> materials(mesh.triangles.size(), 0);
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        if (!of_group.empty()) materials[i] = of_group[mesh.triangle_group[i]];
-        if (!objects.empty())
-            materials[i] +=
-                objects[i] * std::max<std::uint32_t>(1, static_cast<std::uint32_t>(known.size()));
-    }
-    return materials;
-}
-
-/// Of every triangle; empty where all of the mesh is one.
-std::vector<std::uint32_t> objects_of(const WeldedMesh& mesh) {
-    std::vector<std::uint32_t> objects;
-    if (mesh.object_ends.size() < 2) return objects;
-    objects.reserve(mesh.triangles.size());
-    for (const glm::uvec3& t : mesh.triangles) {
-        const auto end = std::ranges::upper_bound(mesh.object_ends, t.x);
-        objects.push_back(static_cast<std::uint32_t>(end - mesh.object_ends.begin()));
-    }
-    return objects;
 }
 
 double milliseconds_since(std::int64_t start) {
@@ -279,36 +220,12 @@ class Extraction {
                 plain_shapes_.push_back(plain_shape(shape));
     }
 
-    /// Edges that are lines besides, whatever else they are: silhouettes run there in other views.
+    /// Lines besides, whatever else they are: silhouettes run there in other views.
     void find_tangents(const KnownEdges& known) {
         if (!wanted(LineKind::tangent) || options_.smooth_edges || mesh_.known_edges.empty())
             return;
         find_plain_shapes();
-        const double tolerance = 3e-7 * diagonal_of(welded_.vertices);
-        for (std::uint32_t i = 0; i < edges_.size(); ++i)
-            if (edges_[i].face_count == 2 && known.smooth(edges_[i]) &&
-                !is_of_one_surface(edges_[i], tolerance))
-                tangents_.push_back(i);
-    }
-
-    /// Whether the surface beside an edge goes on beyond it: a file may cut a cylinder in two.
-    bool is_of_one_surface(const MeshEdge& edge, double tolerance) const {
-        const std::uint32_t a = edge.face_a, b = edge.face_b & LA_FACE_INDEX;
-        return lies_on_surface_of(a, b, tolerance) && lies_on_surface_of(b, a, tolerance);
-    }
-
-    /// Whether a face lies on the surface of another.
-    bool lies_on_surface_of(std::uint32_t face, std::uint32_t other, double tolerance) const {
-        const KnownSurfaces& known = mesh_.surfaces;
-        if (known.empty()) return false;
-        const std::uint32_t surface = known.of_triangle[welded_.triangle_source[other]];
-        if (surface == KnownSurfaces::none) return false;
-        const PlacedSurface& placed = known.surfaces[surface];
-        for (int k = 0; k < 3; ++k)
-            if (!holds_place(plain_shapes_[placed.shape], placed,
-                             welded_.vertices[welded_.triangles[face][k]], tolerance))
-                return false;
-        return true;
+        tangents_ = tangent_edges(welded_, edges_, known, mesh_.surfaces, plain_shapes_);
     }
 
     /// Nothing passes through, or abuts on, a body that is closed and alone.

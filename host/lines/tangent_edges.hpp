@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "edges.hpp"
+#include "known_edges.hpp"
+#include "lineatlas/surface.hpp"
+#include "weld.hpp"
+
+namespace lineatlas {
+
+/// Edges at which two surfaces of the file go over into each other, as where a fillet ends; not
+/// those that cut one surface in two. `shapes`: plain_shape() of each of `surfaces`' own.
+std::vector<std::uint32_t> tangent_edges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
+                                         const KnownEdges& known, const KnownSurfaces& surfaces,
+                                         std::span<const SurfaceShape> shapes);
+
+} // namespace lineatlas
