@@ -2,8 +2,8 @@
 
 #include <numbers>
 #include <string>
+#include <vector>
 
-#include "core/pair_key.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas {
@@ -34,40 +34,48 @@ void check_index(std::uint32_t index, std::size_t count) {
 
 } // namespace
 
-KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) {
-    if (mesh.known_edges.empty()) return;
+KnownEdges::KnownEdges(const Mesh& mesh, const WeldedMesh& welded) : edges_(mesh.known_edges) {
+    if (edges_.empty()) return;
     const std::vector<std::uint32_t> vertices = vertices_of_positions(mesh, welded);
-    kinds_.reserve(mesh.known_edges.size());
-    for (const KnownEdge& edge : mesh.known_edges) {
-        check_index(edge.from, mesh.positions.size());
-        check_index(edge.to, mesh.positions.size());
-        if (edge.kind == KnownEdge::Kind::wire) continue;
-        const std::uint32_t p = vertices[edge.from], q = vertices[edge.to];
-        if (p == unused || q == unused || p == q) continue;
-        all_ = all_ || edge.kind != KnownEdge::Kind::marked;
-        // Where parts touch, an edge may be two: the one that is a line wins.
-        const auto [entry, fresh] = kinds_.try_emplace(pair_key(p, q), edge.kind);
-        if (!fresh && is_crease(edge.kind)) entry->second = edge.kind;
+    for (const KnownEdge& edge : edges_) {
+        check_index(edge.from, vertices.size());
+        check_index(edge.to, vertices.size());
     }
+    const auto ends_of = [&](std::size_t i) -> std::optional<glm::uvec2> {
+        const KnownEdge& edge = edges_[i];
+        const glm::uvec2 ends{vertices[edge.from], vertices[edge.to]};
+        if (edge.kind == KnownEdge::Kind::wire || ends.x == unused || ends.y == unused ||
+            ends.x == ends.y)
+            return {};
+        return ends;
+    };
+    for (std::size_t i = 0; i < edges_.size() && !all_; ++i)
+        all_ = edges_[i].kind != KnownEdge::Kind::marked && ends_of(i);
+    by_vertices_.emplace(welded.vertices.size(), edges_.size(), ends_of);
+}
+
+std::optional<KnownEdge::Kind> KnownEdges::kind_of(const MeshEdge& edge) const {
+    if (!by_vertices_) return {};
+    const auto found = by_vertices_->between(edge.p, edge.q);
+    if (found.empty()) return {};
+    // Where parts touch, an edge may be two: the one that is a line wins.
+    for (const VertexPairs::Item& item : found)
+        if (is_crease(edges_[item.index].kind)) return edges_[item.index].kind;
+    return edges_[found.front().index].kind;
 }
 
 bool KnownEdges::smooth(const MeshEdge& edge) const {
-    if (kinds_.empty()) return false;
-    const auto found = kinds_.find(pair_key(edge.p, edge.q));
-    return found != kinds_.end() && found->second == KnownEdge::Kind::smooth;
+    return kind_of(edge) == KnownEdge::Kind::smooth;
 }
 
 bool KnownEdges::drawn(const MeshEdge& edge) const {
-    if (kinds_.empty()) return false;
-    const auto found = kinds_.find(pair_key(edge.p, edge.q));
-    return found != kinds_.end() && is_crease(found->second);
+    const std::optional<KnownEdge::Kind> kind = kind_of(edge);
+    return kind && is_crease(*kind);
 }
 
 std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedMesh& mesh,
                                              double bend, const LineOptions& options) const {
-    const auto found = kinds_.find(pair_key(edge.p, edge.q));
-    const KnownEdge::Kind kind =
-        found != kinds_.end() ? found->second : KnownEdge::Kind::seam; // within a face
+    const KnownEdge::Kind kind = kind_of(edge).value_or(KnownEdge::Kind::seam); // within a face
     MeshEdge seen = edge;
     LineOptions rule = options;
     const bool is_line =

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <unordered_map>
-#include <vector>
+#include <span>
 
+#include "base/vertex_pairs.hpp"
 #include "edges.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/mesh.hpp"
@@ -16,7 +15,7 @@ namespace lineatlas {
 /// angles.
 class KnownEdges {
   public:
-    /// Throws UsageError when an index is out of range.
+    /// The mesh must outlive it. Throws UsageError when an index is out of range.
     KnownEdges(const Mesh& mesh, const WeldedMesh& welded);
 
     /// Whether the file says of every edge what it is; what it does not name is within a face.
@@ -33,7 +32,11 @@ class KnownEdges {
                                      const LineOptions& options) const;
 
   private:
-    std::unordered_map<std::uint64_t, KnownEdge::Kind> kinds_;
+    /// Nothing: the file does not name the edge.
+    std::optional<KnownEdge::Kind> kind_of(const MeshEdge& edge) const;
+
+    std::span<const KnownEdge> edges_;
+    std::optional<VertexPairs> by_vertices_; ///< of `edges_`
     bool all_ = false;
 };
 

@@ -1,8 +1,6 @@
 #include "weld.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -11,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/first_seen.hpp"
+#include "base/equal_positions.hpp"
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "core/check_mesh.hpp"
@@ -24,30 +22,6 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool is_finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// Per position one that is equal to it, the same for all that are equal. Which of them that is
-/// may differ from run to run, since several threads fill the table.
-std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positions) {
-    std::vector<std::uint32_t> equal(positions.size());
-    // A position's index, plus 1.
-    std::vector<std::atomic<std::uint32_t>> table(
-        std::bit_ceil(2 * std::max<std::size_t>(1, positions.size())));
-    for_each_index(positions.size(), [&](std::size_t i) {
-        const std::size_t mask = table.size() - 1;
-        const auto fresh = static_cast<std::uint32_t>(i + 1);
-        for (std::size_t slot = hash_of(positions[i]) & mask;; slot = (slot + 1) & mask) {
-            std::uint32_t known = 0; // what is there, if it is not empty
-            if (table[slot].compare_exchange_strong(known, fresh, std::memory_order_relaxed)) {
-                equal[i] = fresh - 1;
-                return;
-            }
-            if (positions[known - 1] != positions[i]) continue;
-            equal[i] = known - 1;
-            return;
-        }
-    });
-    return equal;
 }
 
 class VertexWelder {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <unordered_map>
+#include <optional>
+#include <vector>
 
-#include "core/pair_key.hpp"
+#include "base/equal_positions.hpp"
+#include "base/vertex_pairs.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {
@@ -16,12 +16,12 @@ class EdgesByPlace {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
 
     explicit EdgesByPlace(const Mesh& mesh) : mesh_(mesh) {
-        for (std::uint32_t i = 0; i < mesh.known_edges.size(); ++i) {
+        if (mesh.known_edges.empty()) return;
+        place_of_ = equal_positions(mesh.positions);
+        pieces_.emplace(place_of_.size(), mesh.known_edges.size(), [&](std::size_t i) {
             const KnownEdge& edge = mesh.known_edges[i];
-            const std::uint32_t from = places_.emplace(place(edge.from), edge.from).first->second;
-            const std::uint32_t to = places_.emplace(place(edge.to), edge.to).first->second;
-            pieces_.emplace(pair_key(from, to), i);
-        }
+            return std::optional{glm::uvec2{place_of_[edge.from], place_of_[edge.to]}};
+        });
     }
 
     /// The number of the edge that a segment is a part of, or `none`.
@@ -31,33 +31,16 @@ class EdgesByPlace {
     }
     /// Which of Mesh::known_edges that is, or `none`.
     std::uint32_t piece_of(const LineSource& source) const {
-        if (pieces_.empty() || source.from >= mesh_.positions.size() ||
-            source.to >= mesh_.positions.size())
+        if (!pieces_ || source.from >= place_of_.size() || source.to >= place_of_.size())
             return none;
-        const auto from = places_.find(place(source.from)), to = places_.find(place(source.to));
-        if (from == places_.end() || to == places_.end()) return none;
-        const auto found = pieces_.find(pair_key(from->second, to->second));
-        return found == pieces_.end() ? none : found->second;
+        const auto found = pieces_->between(place_of_[source.from], place_of_[source.to]);
+        return found.empty() ? none : found.front().index;
     }
 
   private:
-    using Place = std::array<float, 3>;
-    struct Hash {
-        std::size_t operator()(const Place& at) const {
-            std::size_t result = 0;
-            for (const float x : at) result = result * 0x9E3779B97F4A7C15U + std::hash<float>{}(x);
-            return result;
-        }
-    };
-
-    Place place(std::uint32_t position) const {
-        const glm::vec3 at = mesh_.positions[position];
-        return {at.x, at.y, at.z};
-    }
-
     const Mesh& mesh_;
-    std::unordered_map<Place, std::uint32_t, Hash> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> pieces_;
+    std::vector<std::uint32_t> place_of_; ///< per position the first one at its place
+    std::optional<VertexPairs> pieces_;   ///< of Mesh::known_edges
 };
 
 } // namespace lineatlas

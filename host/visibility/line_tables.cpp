@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
+#include <optional>
 
+#include "base/vertex_pairs.hpp"
 #include "base/vertex_sets.hpp"
 #include "compute/transfer.hpp"
 #include "core/model_limits.hpp"
-#include "core/pair_key.hpp"
 
 namespace lineatlas {
 namespace {
@@ -117,20 +117,24 @@ std::vector<compute::ContourEdge> contour_edges(const Contours& contours,
         (edge.face_a == LA_NO_FACE ? edge.face_a : edge.face_b) = faces[face].face_a;
     });
     // Beyond the border of a surface: as the line there has it.
-    std::unordered_multimap<std::uint64_t, compute::ContourEdge*> borders;
     const auto vertex = [&](std::uint32_t corner) { return contours.corners[corner].vertex; };
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const glm::uvec2 ends = contours.edges[i];
-        if (edges[i].face_b == LA_NO_FACE && ends.x != ends.y)
-            borders.emplace(pair_key(vertex(ends.x), vertex(ends.y)), &edges[i]);
-    }
+    std::uint32_t vertices = 0;
+    for (const ContourCorner& corner : contours.corners)
+        vertices = std::max(vertices, corner.vertex + 1);
+    const VertexPairs borders{vertices, edges.size(),
+                              [&](std::size_t i) -> std::optional<glm::uvec2> {
+                                  const glm::uvec2 ends = contours.edges[i];
+                                  if (edges[i].face_b != LA_NO_FACE || ends.x == ends.y) return {};
+                                  return glm::uvec2{vertex(ends.x), vertex(ends.y)};
+                              }};
     for (const Segment& segment : segments.first(segments.size() - faces.size())) {
-        const auto [first, last] = borders.equal_range(pair_key(segment.p, segment.q));
-        for (auto at = first; at != last; ++at) {
+        if (segment.face_a == LA_NO_FACE || segment.face_b == LA_NO_FACE) continue;
+        if (std::max(segment.p, segment.q) >= vertices) continue;
+        for (const VertexPairs::Item& item : borders.between(segment.p, segment.q)) {
+            compute::ContourEdge& edge = edges[item.index];
             const std::uint32_t flipped = segment.face_b & LA_FACE_FLIPPED;
-            const bool is_own = at->second->face_a == segment.face_a;
-            if (segment.face_a == LA_NO_FACE || segment.face_b == LA_NO_FACE) continue;
-            at->second->face_b = is_own ? segment.face_b : segment.face_a | flipped;
+            const bool is_own = edge.face_a == segment.face_a;
+            edge.face_b = is_own ? segment.face_b : segment.face_a | flipped;
         }
     }
     return edges;

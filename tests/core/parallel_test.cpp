@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -11,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/equal_positions.hpp"
 #include "base/groups.hpp"
+#include "base/vertex_pairs.hpp"
 #include "test_meshes.hpp"
 
 namespace lineatlas {
@@ -96,6 +99,39 @@ TEST(Parallel, GroupsHaveWhatWasAdded) {
             if (i % 3 != 0) expected.push_back(i);
         std::ranges::sort(groups[number]);
         EXPECT_TRUE(std::ranges::equal(groups[number], expected)) << number;
+    }
+}
+
+TEST(Parallel, VertexPairsFindWhatLiesBetween) {
+    constexpr std::uint32_t count = 100000, vertices = 300;
+    const auto ends_of = [](std::size_t i) -> std::optional<glm::uvec2> {
+        const auto item = static_cast<std::uint32_t>(i);
+        if (i % 3 == 0) return {};
+        return glm::uvec2{item % vertices, item * 7 % vertices};
+    };
+    const VertexPairs pairs{vertices, count, ends_of};
+    for (const glm::uvec2 ends : {glm::uvec2{1, 7}, {7, 1}, {299, 293}, {50, 50}, {0, 1}}) {
+        std::vector<std::uint32_t> expected, found;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::optional<glm::uvec2> own = ends_of(i);
+            if (own == ends || own == glm::uvec2{ends.y, ends.x}) expected.push_back(i);
+        }
+        for (const VertexPairs::Item& item : pairs.between(ends.x, ends.y))
+            found.push_back(item.index);
+        EXPECT_EQ(found, expected) << ends.x << ' ' << ends.y;
+    }
+    EXPECT_FALSE(pairs.between(1, 7).empty());
+    EXPECT_TRUE(pairs.between(0, 1).empty());
+}
+
+TEST(Parallel, EqualPositionsHaveOneNumber) {
+    std::vector<glm::vec3> positions;
+    for (int i = 0; i < 50000; ++i)
+        positions.emplace_back(i % 700, i % 3, i % 2 == 0 ? 0.0F : -0.0F);
+    const std::vector<std::uint32_t> equal = equal_positions(positions);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        EXPECT_EQ(positions[equal[i]], positions[i]) << i;
+        EXPECT_EQ(equal[i], equal[i % 2100]) << i; // where the same comes again
     }
 }
 
