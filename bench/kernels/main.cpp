@@ -19,6 +19,7 @@
 #include "core/median.hpp"
 #include "goals.hpp"
 #include "lineatlas/error.hpp"
+#include "watch.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -135,6 +136,14 @@ int run(int argc, char** argv) {
         ->check(CLI::IsMember({"cpu", "gpu"}));
     app.add_flag("--list", only_list, "Print the names of the rows, and measure nothing");
     app.add_option("--json", json, "Figures to write");
+    Watched watched{.name = {}, .size = 1U << 18U, .device = {}};
+    auto* watch_option = app.add_option("--watch", watched.name,
+                                        "A stage or kernel to measure each time that a file in "
+                                        "LINEATLAS_KERNEL_DIR is written");
+    app.add_option("--size", watched.size, "Elements that --watch measures it at")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1 << 24))
+        ->needs(watch_option);
     Turns turns;
     turns.declare(app);
     app.allow_extras();
@@ -142,6 +151,11 @@ int run(int argc, char** argv) {
                "--benchmark_min_time=0.5.");
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
 
+    if (!watched.name.empty()) {
+        watched.device = device;
+        watched.form = form;
+        watch(watched);
+    }
     if (turns.given()) {
         const std::vector<std::string> arguments = Turns::others(argc, argv);
         turns.run(arguments, rows_of(arguments), json);

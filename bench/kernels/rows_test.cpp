@@ -3,8 +3,12 @@
 // own.
 
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -12,6 +16,7 @@
 #include "command_line/scratch.hpp"
 #include "common.hpp"
 #include "compare/figures.hpp"
+#include "environment_variable.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -116,6 +121,72 @@ TEST(Rows, TurnsNeedAnotherBuild) {
               std::string::npos);
     EXPECT_NE(printed("--interleave / --benchmark_filter=nothing", 2).find("no row is chosen"),
               std::string::npos);
+}
+
+/// `--watch` in a process of its own, which is ended with it.
+class Watching {
+  public:
+    explicit Watching(const std::filesystem::path& kernels)
+        : program_(popen(("LINEATLAS_KERNEL_DIR=" + kernels.string() +
+                          " sh -c 'echo $$; exec " LINEATLAS_BENCH_KERNELS
+                          " --watch pyramid --size 16384'")
+                             .c_str(),
+                         "r")) {
+        pid_ = static_cast<pid_t>(std::stol(line()));
+    }
+    ~Watching() {
+        ::kill(pid_, SIGINT);
+        pclose(program_);
+    }
+    Watching(const Watching&) = delete;
+    Watching& operator=(const Watching&) = delete;
+
+    /// The next one that it prints; empty at its end.
+    std::string line() {
+        std::array<char, 1024> text{};
+        return std::fgets(text.data(), text.size(), program_) != nullptr ? text.data() : "";
+    }
+
+  private:
+    FILE* program_;
+    pid_t pid_ = 0;
+};
+
+TEST(Rows, AKernelIsMeasuredAgainWhenItIsWritten) {
+    const Scratch scratch;
+    const auto kernels = scratch.folder / "kernels";
+    std::filesystem::copy(std::filesystem::path{LINEATLAS_SOURCE_DIR} / "kernels", kernels,
+                          std::filesystem::copy_options::recursive);
+    const auto file = kernels / "pyramid.cl";
+    std::ostringstream original;
+    original << std::ifstream{file}.rdbuf();
+    const auto rewrite = [&](const std::string& from, const std::string& to) {
+        std::string text = original.str();
+        const std::size_t place = text.find(from);
+        ASSERT_NE(place, std::string::npos) << from;
+        std::ofstream{file} << text.replace(place, from.size(), to);
+    };
+    Watching watching{kernels};
+    EXPECT_NE(watching.line().find("pyramid at 16384 elements"), std::string::npos);
+    EXPECT_NE(watching.line().find("to last"), std::string::npos);
+    EXPECT_NE(watching.line().find(" - "), std::string::npos) << "there is nothing before";
+    rewrite("KERNEL(", "/* as before */ KERNEL(");
+    const std::string again = watching.line();
+    EXPECT_EQ(again.find(" - "), std::string::npos) << again;
+    EXPECT_EQ(again.find_first_not_of(" 0123456789.\n"), std::string::npos) << again;
+    rewrite("KERNEL(", "what KERNEL(");
+    EXPECT_NE(watching.line().find("does not build"), std::string::npos);
+    rewrite("max(", "min(");
+    EXPECT_NE(watching.line().find("gave a wrong result"), std::string::npos);
+    rewrite("KERNEL(", "KERNEL(");
+    EXPECT_EQ(watching.line().find_first_not_of(" 0123456789.\n"), std::string::npos);
+}
+
+TEST(Rows, WatchingNeedsAFolderAndAName) {
+    EXPECT_NE(printed("--watch pyramid", 2).find("needs LINEATLAS_KERNEL_DIR"), std::string::npos);
+    const test::EnvironmentVariable kernels{"LINEATLAS_KERNEL_DIR",
+                                            std::string{LINEATLAS_SOURCE_DIR} + "/kernels"};
+    EXPECT_NE(printed("--watch nothing", 2).find("no row measures \"nothing\""), std::string::npos);
 }
 
 } // namespace

@@ -127,6 +127,16 @@ void Session::look_at_file() {
     reload();
 }
 
+void Session::look_at_kernels() {
+    if (!kernels_.has_changed()) return;
+    use_device(device_);
+    messages.notice("Kernels are built again");
+}
+
+bool Session::has_files_to_look_at() const {
+    return kernels_.is_set() || (model_ != nullptr && !model_->source.files.empty());
+}
+
 void Session::open_scene(const std::string& name) {
     forget_awaited();
     loader.start({.files = {}, .scene = name, .up = glm::vec3{0, 1, 0}, .lines = line_options});

@@ -20,6 +20,7 @@
 #include "navigation.hpp"
 #include "recording.hpp"
 #include "settings.hpp"
+#include "sources/kernel_folder.hpp"
 #include "timings.hpp"
 
 namespace lineatlas::viewer {
@@ -58,6 +59,10 @@ class Session {
     /// Reads the file again where it is another one than at the last two looks: while it is still
     /// being written it changes from one look to the next.
     void look_at_file();
+    /// Builds kernels again where files in LINEATLAS_KERNEL_DIR were written.
+    void look_at_kernels();
+    /// Whether either look may find anything.
+    bool has_files_to_look_at() const;
     /// The view from which the next model is seen first.
     void open_first_camera(const std::filesystem::path& file);
     const Model* model() const { return model_.get(); }
@@ -248,6 +253,7 @@ class Session {
     std::filesystem::path first_camera_;
     using WriteTimes = std::vector<std::filesystem::file_time_type>;
     WriteTimes read_times_{}, looked_times_{}; ///< of the model's files
+    KernelFolder kernels_;
     std::optional<View> drawn_view_;
     bool stale_ = true, step_due_ = true;
     bool keeps_view_ = false; ///< of what is being loaded

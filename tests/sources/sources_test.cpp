@@ -1,3 +1,4 @@
+#include "sources/kernel_folder.hpp"
 #include "sources/sources.hpp"
 
 #include <algorithm>
@@ -96,6 +97,21 @@ TEST_F(Sources, AFolderTakesThePlaceOfTheBuiltInFiles) {
     EXPECT_NO_THROW(shader_source("strokes.vert")) << "shaders have their own variable";
     ::unsetenv("LINEATLAS_KERNEL_DIR");
     EXPECT_NE(kernel_source("facing.cl").find("KERNEL(facing"), std::string::npos);
+}
+
+TEST_F(Sources, FilesWrittenInTheFolderAreSeenWhenTheyRest) {
+    file("facing.cl", "first\n");
+    EXPECT_FALSE(KernelFolder{}.is_set());
+    use_folder();
+    KernelFolder folder;
+    EXPECT_FALSE(folder.has_changed());
+    file("part.h", "part\n");
+    EXPECT_FALSE(folder.has_changed()) << "it may still be written";
+    EXPECT_TRUE(folder.has_changed());
+    EXPECT_FALSE(folder.has_changed());
+    std::filesystem::remove(folder.path() / "part.h");
+    EXPECT_FALSE(folder.has_changed());
+    EXPECT_TRUE(folder.has_changed());
 }
 
 TEST_F(Sources, ShadersAreReadFromTheirOwnFolder) {

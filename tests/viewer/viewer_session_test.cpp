@@ -1,7 +1,9 @@
 // Sections, sessions, pens of kinds, rest and commands of the viewer, by real events.
 
 #include <cmath>
+#include <cstdlib>
 
+#include "planted_error.hpp"
 #include "viewer/kind_pens.hpp"
 #include "viewer_support.hpp"
 
@@ -26,6 +28,33 @@ class ViewerSession : public Viewer {
         return svg.substr(std::min(svg.size(), svg.find("<path")));
     }
 };
+
+/// Kernels in a folder of one's own, as they are in the sources.
+struct OwnKernels {
+    PlantedError kernels{"pyramid.cl", "KERNEL(", "KERNEL("};
+};
+class ViewerOfOwnKernels : private OwnKernels, public Viewer {};
+
+TEST_F(ViewerOfOwnKernels, KernelsAreBuiltAgainWhenTheyAreWritten) {
+    const std::filesystem::path file =
+        std::filesystem::path{std::getenv("LINEATLAS_KERNEL_DIR")} / "project_clip.cl";
+    const std::string text = text_of(file);
+    session().use_device({.compute = "opencl"});
+    hand_.rest();
+    const auto before = picture();
+    const auto look = [&] {
+        for (int looks = 0; looks < 2; ++looks) session().look_at_kernels();
+        hand_.rest();
+    };
+    std::ofstream{file} << "no C\n" << text;
+    look();
+    EXPECT_NE(error().find("project_clip"), std::string::npos) << error();
+    std::ofstream{file} << text;
+    look();
+    session().messages.dismiss(0);
+    EXPECT_EQ(error(), "");
+    EXPECT_EQ(picture(), before);
+}
 
 TEST_F(ViewerSession, SectionsAreAddedMovedFlippedAndUndone) {
     const auto whole = picture();

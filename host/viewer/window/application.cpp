@@ -117,8 +117,7 @@ double Application::seconds_to_wait() const {
     if (session_.loader.busy()) return smooth;
     if (session_.messages.passing() || session_.timings_due()) return soon;
     if (ImGui::GetIO().WantTextInput) return blinking;
-    const Model* model = session_.model();
-    return model != nullptr && !model->source.files.empty() ? looking : -1;
+    return session_.has_files_to_look_at() ? looking : -1;
 }
 
 void Application::step(double longest_wait) {
@@ -127,7 +126,10 @@ void Application::step(double longest_wait) {
     const bool timed = wait > 0;
     window_.wait(wait);
     take_input();
-    if (timed) session_.look_at_file();
+    if (timed) {
+        session_.look_at_file();
+        session_.look_at_kernels();
+    }
     if (timed &&
         (session_.loader.busy() || session_.messages.passing() || ImGui::GetIO().WantTextInput)) {
         frames_due_ = std::max(frames_due_, 1);
