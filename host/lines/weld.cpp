@@ -26,8 +26,8 @@ bool is_finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Per position one that is equal to it, the same for all that are equal. Which of them that is
-/// may differ from run to run, since several threads fill the table.
+/// Per position one that is equal to it, the same one for all equal positions. It may differ from
+/// run to run, because several threads fill the table.
 std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positions) {
     std::vector<std::uint32_t> equal(positions.size());
     // A position's index, plus 1.
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> equal_positions(const std::vector<glm::vec3>& positio
         const std::size_t mask = table.size() - 1;
         const auto fresh = static_cast<std::uint32_t>(i + 1);
         for (std::size_t slot = hash_of(positions[i]) & mask;; slot = (slot + 1) & mask) {
-            std::uint32_t known = 0; // what is there, if it is not empty
+            std::uint32_t known = 0; // the entry, if it is not empty
             if (table[slot].compare_exchange_strong(known, fresh, std::memory_order_relaxed)) {
                 equal[i] = fresh - 1;
                 return;
@@ -100,7 +100,8 @@ glm::uvec3 sorted(glm::uvec3 t) {
 
 enum class Triangle : std::uint8_t { proper, collapsed, repeated };
 
-/// Marks triangles of one smallest vertex that have the corners of an earlier one.
+/// Marks triangles that have the corners of an earlier one, among triangles with the same smallest
+/// vertex.
 void mark_repeated(const std::vector<glm::uvec3>& triangles, std::span<std::uint32_t> of_vertex,
                    std::vector<Triangle>& kinds) {
     const auto corners = [&](std::uint32_t triangle) {
@@ -130,7 +131,7 @@ std::vector<Triangle> kinds_of(const std::vector<glm::uvec3>& triangles, std::si
     return kinds;
 }
 
-/// Puts the vertices that are used into the mesh: by object, else in their order.
+/// Puts the used vertices into the mesh, by object and within an object in their order.
 void take_used_vertices(const VertexWelder& welded, std::size_t object_count, WeldedMesh& mesh) {
     std::vector<std::uint32_t> index(welded.vertices.size(), none);
     const auto for_each_index = [&](auto&& visit) {
