@@ -66,8 +66,8 @@ struct StrokeStyle {
     std::optional<FocusParams> focus;
     bool hidden = false; ///< draw runs of hidden samples, opaque where the line is hidden
     std::optional<std::uint32_t> only_pen{}; ///< draw only the runs of this pen; none: all runs
-    bool exact_ends = false; ///< runs end exactly where visibility does (`filter`); some have no
-                             ///< samples
+    /// Runs end exactly where visibility does (`filter`); some have no samples.
+    bool exact_ends = false;
 };
 
 /// The visible runs on the GL side, as `compact` writes them.

@@ -107,9 +107,8 @@ class CopiedMemory final : public SharedMemory {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
     ~CopiedMemory() override {
-        if (!between_.empty())
-            quietly([&] { device_.finish(); }); // a copy from there may still
-                                                // run
+        // A copy from there may still run.
+        if (!between_.empty()) quietly([&] { device_.finish(); });
     }
 
   private:

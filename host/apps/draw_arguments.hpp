@@ -26,9 +26,9 @@ namespace lineatlas::apps {
 /// The command line of `draw` as written; an empty member was not given.
 struct DrawArguments {
     std::string model, scene, output;
-    std::string session;                       ///< the session that MODEL names
-    std::vector<std::filesystem::path> models; ///< models that are drawn: MODEL, or those of the
-                                               ///< session
+    std::string session; ///< the session that MODEL names
+    /// Models that are drawn: MODEL, or those of the session.
+    std::vector<std::filesystem::path> models;
     std::string size = "1024x768";
     ViewOptions view;
     float at = 0;

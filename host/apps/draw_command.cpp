@@ -317,8 +317,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Style style = by_paths ? arguments.paths.on_paper(given, size) : given;
     FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
-    std::optional<ImageWriter> writer;               // paths need no writer and none of its
-                                                     // libraries
+    // Paths need no writer and none of its libraries.
+    std::optional<ImageWriter> writer;
     if (!by_paths) writer.emplace(arguments.output); // made before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);

@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds between_questions{50};
 
-thread_local const std::function<void()>* asked = nullptr; ///< by this thread; nullptr: nothing is
-                                                           ///< asked
+/// The question that this thread asks; nullptr: none.
+thread_local const std::function<void()>* asked = nullptr;
 thread_local Clock::time_point asked_at;
 
 } // namespace

@@ -94,9 +94,8 @@ class OmFile {
         }
         if (header.named) skip_name();
         if (header.type == om::Chunk::Type_Custom) {
-            if (header.named && version_ > om::mk_version(2, 1))
-                skip_name(); // the name of the
-                             // type
+            // This is the name of the type.
+            if (header.named && version_ > om::mk_version(2, 1)) skip_name();
             skip(at_ + 4 <= bytes_.size() ? 4 + read_u32(bytes_, at_) : 4);
             return;
         }

@@ -90,8 +90,8 @@ void forget_what_was_inherited() {
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable)
         ::explicit_bzero(*variable, std::strlen(*variable));
     static std::array<char*, 1> nothing{};
-    environ = nothing.data(); // not null, as clearenv() would set it, because OpenColorIO 2.5 reads
-                              // it
+    // Not null, as clearenv() would set it, because OpenColorIO 2.5 reads it.
+    environ = nothing.data();
     for (const std::string& variable : environment) {
         const std::size_t equals = variable.find('=');
         ::setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 1);

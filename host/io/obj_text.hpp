@@ -14,9 +14,9 @@ namespace lineatlas {
 /// that is no number for zero, reads only floats, takes a comment behind a face for more corners,
 /// and has no `l` elements in its callback interface.
 struct ObjText {
-    std::string text;                  ///< v, f, o, g and usemtl; one line for each in the file
-    std::vector<glm::dvec3> positions; ///< the positions of the v lines, which are all zeros in
-                                       ///< `text`
+    std::string text; ///< v, f, o, g and usemtl; one line for each in the file
+    /// The positions of the v lines, which are all zeros in `text`.
+    std::vector<glm::dvec3> positions;
     std::vector<std::size_t> polyline_ends; ///< ends of those f lines in `text` that were l lines
 };
 

@@ -19,11 +19,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint32_t least_faces = 64;
-constexpr std::uint32_t many_faces = 15'000; ///< so many triangles show the shape of an undesigned
-                                             ///< surface
-constexpr double most_flat = 0.3;            ///< share of a patch's faces that may be flat
-constexpr double least_altitude = 0.25;      ///< of a face's longest edge; half of all faces have
-                                             ///< more
+/// So many triangles show the shape of an undesigned surface.
+constexpr std::uint32_t many_faces = 15'000;
+constexpr double most_flat = 0.3; ///< share of a patch's faces that may be flat
+/// Altitude as a share of a face's longest edge; half of all faces have more.
+constexpr double least_altitude = 0.25;
 constexpr double least_steadiness = 1.0 / 3;
 constexpr double sharp_bend = 15 * degree;
 constexpr double most_sharp = 0.1;      ///< of a patch's edges

@@ -12,9 +12,9 @@ namespace {
 
 /// Variance that means over the triangles about a vertex add: means of normals, of their
 /// derivatives, and of gradients.
-constexpr float variance_of_means = 0.7F;  ///< in squared edges
-constexpr float gradient_share = 1.0F / 3; ///< share of the variance by which gradients are
-                                           ///< smoothed
+constexpr float variance_of_means = 0.7F; ///< in squared edges
+/// Share of the variance by which gradients are smoothed.
+constexpr float gradient_share = 1.0F / 3;
 
 /// A symmetric matrix.
 struct Tensor {

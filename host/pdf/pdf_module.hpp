@@ -14,8 +14,8 @@ namespace lineatlas::pdf {
 /// turned by a quarter from the major one, from x towards y.
 struct Step {
     bool arc = false, cubic = false;
-    glm::dvec2 to{0};                             ///< end of a straight line or of a cubic Bézier
-                                                  ///< curve
+    /// End of a straight line or of a cubic Bézier curve.
+    glm::dvec2 to{0};
     glm::dvec2 first_control{0}, last_control{0}; ///< control points of the curve
     glm::dvec2 center{0};
     glm::dvec2 major{1, 0};

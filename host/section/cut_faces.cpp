@@ -64,9 +64,8 @@ class LoopFinder {
         while (here != start) {
             loop.points.push_back(here);
             const std::uint32_t next = next_step(before, here);
-            if (next == none)
-                break; // never happens, because every place has an even number of
-                       // steps
+            // This never happens, because every place has an even number of steps.
+            if (next == none) break;
             used_[next] = true;
             before = here;
             const std::uint32_t from = steps_[next].from;

@@ -11,9 +11,9 @@ namespace lineatlas {
 
 /// The visible lines of a drawing as paths, in pixels.
 struct DrawnLines {
-    std::vector<DrawnPiece> legs;   ///< all drawn lines, from point to point, of unknown segments
-    std::vector<DrawnPiece> pieces; ///< all drawn lines by segment; empty if the drawing has no
-                                    ///< tags
+    std::vector<DrawnPiece> legs; ///< all drawn lines, from point to point, of unknown segments
+    /// All drawn lines by segment; empty if the drawing has no tags.
+    std::vector<DrawnPiece> pieces;
 };
 
 /// Adds the legs from each point to the next.

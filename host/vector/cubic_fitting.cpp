@@ -9,12 +9,12 @@
 namespace lineatlas {
 namespace {
 
-constexpr double most_off_chord = 0.1; ///< distance of a cubic from the chord between two points,
-                                       ///< pixels
-constexpr double sharpest = 0.7;       ///< radians by which chords of a smooth line turn
-constexpr double straight = 1e-3;      ///< radians between a tangent and its chord
-constexpr double much_longer = 8;      ///< times; such a chord is straight, and the other one is
-                                       ///< short
+/// Distance of a cubic from the chord between two points, pixels.
+constexpr double most_off_chord = 0.1;
+constexpr double sharpest = 0.7;  ///< radians by which chords of a smooth line turn
+constexpr double straight = 1e-3; ///< radians between a tangent and its chord
+/// A chord that is this many times as long as its neighbour is straight; the neighbour is short.
+constexpr double much_longer = 8;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;

@@ -9,8 +9,8 @@ namespace lineatlas {
 /// A box around all lines of a drawing, in pixels; empty (`low` above `high`) if there are none.
 struct DrawnBox {
     glm::dvec2 low, high;
-    bool exact = true; ///< its sides touch straight lines and arcs only; false: some touch cubic
-                       ///< curves
+    /// Its sides touch straight lines and arcs only; false: some touch cubic curves.
+    bool exact = true;
 };
 
 /// The box of a drawing, by its straight lines and arcs and not by the chords of the mesh.

@@ -81,9 +81,8 @@ class Junctions {
         if (end.kind != LA_END_HIDDEN || !(pieces_.segment_of(piece).length > 0)) return false;
         Piece* other = neighbour(i, at_end);
         const bool shared = other != nullptr && touches(piece, *other, at_end);
-        if (shared && other->visible)
-            return false; // the line is visible on either side of the
-                          // vertex
+        // The line is visible on either side of the vertex.
+        if (shared && other->visible) return false;
         const bool beside = other != nullptr && other->screen == piece.screen;
         const bool moves_along = shared && beside;
         double limit = at_end ? 1 : 0;

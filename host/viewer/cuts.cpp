@@ -77,8 +77,8 @@ std::array<glm::dvec3, 4> outline_of(const Cut& cut, const Bounds& bounds, glm::
         std::abs(cut.normal.x) < 0.7 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
     const glm::dvec3 u = glm::normalize(other - glm::dot(other, cut.normal) * cut.normal);
     const glm::dvec3 v = glm::cross(cut.normal, u);
-    constexpr double margin = 1.04; // larger, so that the outline is not mistaken for a line of the
-                                    // model
+    // Larger, so that the outline is not mistaken for a line of the model.
+    constexpr double margin = 1.04;
     const glm::dvec3 along_u = margin * half_along(u, bounds) * u;
     const glm::dvec3 along_v = margin * half_along(v, bounds) * v;
     const glm::dvec3 at = middle_of(cut, bounds, origin);

@@ -28,8 +28,8 @@ struct ExportOptions {
     bool sheet = false; ///< several aligned views in place of the current one
     std::vector<std::string> views = SheetOptions{}.views; ///< of a sheet
     bool measures = false;                                 ///< likewise
-    int pixels = 1;          ///< pixels of a picture for the screen per pixel of the window and
-                             ///< axis
+    /// Pixels of a picture for the screen per pixel of the window and axis.
+    int pixels = 1;
     std::string page = "a4"; ///< name for parse_page()
     std::string scale{};     ///< as in "1:2"; empty: as large as the page allows
     float margin = 10;       ///< millimetres

@@ -31,8 +31,8 @@ std::atomic<int> threads{0};
 struct Loader::Job {
     ModelSource source;
     Reader reader;
-    std::shared_ptr<const Model> model{}; ///< a model of which something else is to be shown, or
-                                          ///< null
+    /// A model of which something else is to be shown, or null.
+    std::shared_ptr<const Model> model{};
     Shown shown{};
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::atomic<const char*> stage{""};

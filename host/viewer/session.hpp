@@ -259,8 +259,8 @@ class Session {
     bool keeps_view_ = false; ///< for the model that is being loaded
     History<Settings, same> steps_;
     History<View, same> views_;
-    bool moving_ = false; ///< the last picture was part of a movement and averaged with the one
-                          ///< before
+    /// The last picture was part of a movement and averaged with the one before.
+    bool moving_ = false;
     Economy economy_ = Economy::none; ///< of the last picture
     Pace pace_;                       ///< of this model
     std::optional<Recording> recording_;

@@ -109,8 +109,8 @@ class CppDevice final : public Device {
         std::array<void*, most_tables> tables{};
         std::ranges::transform(launch.tables, tables.begin(),
                                [](const Buffer* buffer) { return memory_of(*buffer); });
-        char begun = 0, ended = 0; // two places, because with one pieces would seem to follow each
-                                   // other
+        // Two places, because with one pieces would seem to follow each other.
+        char begun = 0, ended = 0;
         const auto run = [&](std::size_t first, std::size_t end) {
             acquire(begun);
             run_on_host(launch.kernel, launch.parameters, tables, first, end, launch.items);

@@ -65,8 +65,8 @@ struct SilhouetteListArgs {
 struct ChainArgs {
     SegmentTable table;
     Buffer* crossings; ///< of `contour_places`; null without contours
-    bool lifted;       ///< contours are drawn at the lifted places, where their visibility is
-                       ///< tested
+    /// Contours are drawn at the lifted places, where their visibility is tested.
+    bool lifted;
     SilhouetteView view;
     Buffer& numbers;     ///< of `silhouette`
     std::uint32_t count; ///< silhouettes, above 0

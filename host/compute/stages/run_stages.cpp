@@ -43,11 +43,10 @@ void Stages::compact(const CompactArgs& args) {
     launch_grouped<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
                                            args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
-    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), // the first work-item writes the
-                                                                 // record
-                                           tuning_.block_local_size, parameters, args.table,
-                                           args.atlas.clipped, args.atlas, args,
-                                           BlockOffsets{counts});
+    // The first work-item writes the record.
+    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), tuning_.block_local_size,
+                                           parameters, args.table, args.atlas.clipped, args.atlas,
+                                           args, BlockOffsets{counts});
 }
 
 void Stages::halo(const HaloArgs& args) {

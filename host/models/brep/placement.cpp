@@ -197,8 +197,8 @@ class Placement {
         meshes_;
     std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> groups_;
     std::map<std::string, std::size_t> failed_;
-    std::map<std::uint32_t, std::uint32_t> first_shapes_; ///< first shapes of meshes, by their
-                                                          ///< numbers
+    /// First shapes of meshes, by their numbers.
+    std::map<std::uint32_t, std::uint32_t> first_shapes_;
     std::uint32_t objects_ = 0, edges_ = 0;
 };
 

@@ -253,9 +253,8 @@ void Application::show_frame() {
         };
         const auto said = status();
         session_.draw();
-        if (status() != said)
-            frames_due_ = std::max(frames_due_, 1); // the window must still say
-                                                    // it
+        // The window must still say it.
+        if (status() != said) frames_due_ = std::max(frames_due_, 1);
         if (session_.timings_due()) session_.take_timings();
     }
     paint();

@@ -52,11 +52,11 @@ class CanvasMouse {
     glm::dvec2 pressed_{0}, last_{0}, clicked_{-1e6};
     bool moved_ = false; ///< the mouse has moved too far for a click
     double clicked_at_ = -1e6;
-    std::size_t cut_ = 0;                      ///< that is dragged
-    glm::dvec3 held_{0};                       ///< the point of the model where a drag began
-    std::set<int> keys_;                       ///< that fly
-    std::set<int> fresh_keys_, released_keys_; ///< keys that went down, and up again, since
-                                               ///< advance()
+    std::size_t cut_ = 0; ///< that is dragged
+    glm::dvec3 held_{0};  ///< the point of the model where a drag began
+    std::set<int> keys_;  ///< that fly
+    /// Keys that went down, and up again, since advance().
+    std::set<int> fresh_keys_, released_keys_;
 };
 
 } // namespace lineatlas::viewer

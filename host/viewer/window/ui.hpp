@@ -100,10 +100,10 @@ struct Ui {
     SearchState palette{};
     OpenState open{};
     ExportState exporting{};
-    bool quit = false;                       ///< the window is to be closed
-    bool keyboard_to_sidebar = false;        ///< arrows and Enter are for its items from now on
-    bool kernels = false;                    ///< the panel of timings shows kernels in place of
-                                             ///< stages
+    bool quit = false;                ///< the window is to be closed
+    bool keyboard_to_sidebar = false; ///< arrows and Enter are for its items from now on
+    /// The panel of timings shows kernels in place of stages.
+    bool kernels = false;
     std::string part_search{};               ///< the typed search for parts
     std::set<std::uint32_t> folded_parts{};  ///< the parts in them are not listed
     std::uint32_t part_anchor = Parts::none; ///< where a row of selected parts begins
