@@ -43,7 +43,7 @@ void name(const TDF_Label& label, const std::string& text) {
 
 Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
     const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
-    // metres; Open CASCADE 7.8 uses the unit that was set.
+    // Metres; Open CASCADE 7.8 uses the unit that was set.
     XCAFDoc_DocumentTool::SetLengthUnit(document, 0.001);
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
