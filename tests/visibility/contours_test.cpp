@@ -176,7 +176,7 @@ TEST(Contours, OfATorusAreTwoLoops) {
     const LineSet lines = extract_lines(torus(), smooth);
     for (int view = 1; view <= 20; ++view) {
         SCOPED_TRACE(view);
-        const double angle = 0.5 * pi * view / 21; // above the plane that it lies in
+        const double angle = 0.5 * pi * view / 21; // above the plane of the torus
         const double x = std::cos(angle), y = std::sin(angle);
         const glm::vec3 to_eye{x * 0.8, y, x * 0.6}; // and around
         const std::vector<Chain> found = chains_of(lines, {to_eye, 0});
