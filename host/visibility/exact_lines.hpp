@@ -108,7 +108,7 @@ class ExactLines {
     compute::Table clipped_{device_, compute::table::clipped}, arcs_{device_, compute::table::arcs};
     compute::Table no_offsets_{device_, compute::table::no_offsets}; ///< all 0, because no segment
                                                                      ///< has samples
-    bool silhouettes_grew_ = false; ///< since make_tables()
+    bool silhouettes_grew_ = false;                                  ///< since make_tables()
 };
 
 } // namespace lineatlas
