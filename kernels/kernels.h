@@ -254,7 +254,7 @@ typedef struct IntervalsParameters {
 #include "fill_tables.h"
 #include "stroke_tables.h"
 
-/* All kernels, in the order of a frame: the stage that the kernel belongs to and that names its
+/* All of them, in the order of a frame: the stage that the kernel belongs to and that names its
  * file, the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE;
  * `of_tiles`: those of them that need local memory and barriers; `of_numbers`: without NUMBERED and
  * with it; `of_probes`: one for each PROBES_PER_AXIS, with TILED and without. */
