@@ -16,7 +16,7 @@ namespace {
 constexpr GLuint segment_binding = 0;
 constexpr GLuint offset_binding = 1;
 
-// Beyond those of the passes that probe.
+// Units beyond those that all passes with probes use.
 constexpr int number_unit = 6, plane_unit = 7, patch_unit = 8;
 
 constexpr Purpose raster_atlas{"the segment atlas",

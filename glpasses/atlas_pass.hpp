@@ -12,24 +12,24 @@ namespace lineatlas::gl {
 
 /// The surfaces in a depth texture, for probes that know surfaces (kernels/spine.h).
 struct SurfaceTextures {
-    GLuint numbers = 0; ///< of the triangle that each texel shows; 0: nothing is known but depth
+    GLuint numbers = 0; ///< numbers of the triangles that texels show; 0: only depth is known
     GLuint planes = 0;  ///< a texture over a buffer of 4 floats per triangle
-    GLuint patches = 0; ///< the same of a uint32
+    GLuint patches = 0; ///< a texture over a buffer of a uint32 per triangle
     bool parallel = false;
     float bend = 0; ///< nearness by which a line's own patch may stand before it, times w
 };
 
 /// How visibility is probed; the same for both forms of `atlas`.
 struct ProbeParams {
-    GLuint depth;         ///< depth texture; nobody looks at it where surfaces are known
+    GLuint depth;         ///< depth texture; not read if surfaces are known
     glm::vec2 viewport;   ///< pixels
     float depth_scale;    ///< depth texels per pixel
     std::uint32_t probes; ///< per axis
     float tolerance;      ///< window depth that may stand before a line, times w
     SurfaceTextures surfaces{};
 
-    /// Binds the depth texture to `unit`, those of surfaces to units of their own, and sets the
-    /// uniforms of probe.glsl.
+    /// Binds the depth texture to `unit` and the textures of surfaces to units of their own, and
+    /// sets the uniforms of probe.glsl.
     void bind(const Program& program, GLuint unit) const;
 };
 
@@ -45,12 +45,12 @@ struct ClippedBuffers {
 /// the picture size.
 std::uint32_t atlas_row(std::uint32_t longest, std::uint32_t most);
 
-/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). A segment that is longer than what
-/// is left of its row goes on in the next one, so that rows are full and sample s is texel s: lines
-/// are drawn twice (eq. 2, Fig. 8: "wrapped").
+/// `atlas`, raster form: proxy lines into a 2D texture (§4.2). A segment that is longer than the
+/// rest of its row goes on in the next row, so rows are full and sample s is texel s. Lines are
+/// drawn twice for that (eq. 2, Fig. 8: "wrapped").
 class AtlasPass {
   public:
-    /// `fragment_shader`: finds the visibility of one sample. Uniforms of its own are set in
+    /// `fragment_shader`: finds the visibility of one sample. The caller sets its own uniforms in
     /// `program()`.
     explicit AtlasPass(std::string_view fragment_shader = "atlas.frag");
     const Program& program() const { return program_; }

@@ -10,8 +10,7 @@
 
 namespace lineatlas::gl {
 
-/// A picture to draw into, off screen: RGBA, premultiplied, with a depth
-/// buffer.
+/// A picture to draw into, off screen: RGBA, premultiplied, with a depth buffer.
 class Canvas {
   public:
     /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw.
@@ -24,7 +23,7 @@ class Canvas {
     int bits() const { return bits_; }
     /// Pixels from the top left, 4 values each; with 16 bits in native order.
     std::vector<std::uint8_t> read() const { return read(size_); }
-    /// The same of a part in the lower left corner.
+    /// Pixels of a part in the lower left corner, in the same form.
     std::vector<std::uint8_t> read(glm::ivec2 part) const;
 
   private:

@@ -7,7 +7,7 @@
 namespace lineatlas::gl {
 namespace {
 
-/// Initially off.
+/// Capabilities that are off initially.
 constexpr GLenum capabilities[] = {GL_ALPHA_TEST, GL_LINE_STIPPLE, GL_POLYGON_STIPPLE};
 
 struct PixelTransfer {

@@ -10,14 +10,14 @@ namespace lineatlas::gl {
 /// profile.
 bool is_compatibility();
 
-/// What such a context has besides, and what changes pictures drawn by shaders, too: what is done
-/// with fragments, and with pixels on their way into textures and out of them.
+/// State that only a compatibility context has and that changes pictures drawn by shaders:
+/// operations on fragments, and on pixels on their way into textures and out of them.
 class CompatibilityState {
   public:
-    /// Throws UsageError where the context carries out no drawing: while a display list is
-    /// compiled, and in selection or feedback mode.
+    /// Throws UsageError if the context carries out no drawing: while a display list is compiled,
+    /// and in selection or feedback mode.
     void save();
-    /// Sets GL's initial state where the saved one is another.
+    /// Sets GL's initial state where the saved state differs from it.
     void set_initial() const;
     void restore() const;
 

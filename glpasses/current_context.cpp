@@ -45,7 +45,7 @@ CurrentContext require_context() {
                          "first");
     }
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    if (text == nullptr) { // as between glBegin() and glEnd(), where nothing can be asked
+    if (text == nullptr) { // between glBegin() and glEnd(), for one, where nothing can be asked
         throw UsageError("renderer: the current OpenGL context does not answer; call outside of "
                          "glBegin() and glEnd()");
     }

@@ -12,8 +12,8 @@ struct CurrentContext {
     bool operator==(const CurrentContext&) const = default;
 };
 
-/// Asks the libraries that this process has loaded. No GL call is made: without a context those end
-/// the process.
+/// Asks the libraries that this process has loaded. Makes no GL call, because without a context GL
+/// calls end the process.
 CurrentContext current_context();
 
 /// The current context, fit to be used: throws UsageError if there is none, DeviceError if its GL
@@ -24,7 +24,7 @@ CurrentContext require_context();
 bool is_software();
 
 /// Throws DeviceError if the current context was lost (GL_KHR_robustness): a driver that was reset,
-/// a GPU that was taken out. Only contexts that were made robust are told.
+/// a GPU that was taken out. Only contexts that were made robust learn of a loss.
 void require_alive();
 
 } // namespace lineatlas::gl

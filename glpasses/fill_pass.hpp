@@ -35,7 +35,7 @@ class FillPass {
     FillPass();
 
     /// Draws these pieces of the list of triangles into `framebuffer`, which needs a depth
-    /// attachment; its depth is cleared. Throws DeviceError if GL cannot read so many colours.
+    /// attachment. Clears its depth. Throws DeviceError if GL cannot read so many colours.
     void draw(const TriangleBuffers& triangles, const TriangleColors& colors,
               std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
               GLuint framebuffer);

@@ -16,7 +16,7 @@ class CurrentContextKeeper {
     CurrentContextKeeper& operator=(const CurrentContextKeeper&) = delete;
 
   private:
-    unsigned api_; ///< that of EGL's calls on this thread
+    unsigned api_; ///< the API that EGL's calls on this thread refer to
     void* display_;
     void* context_;
     void* draw_;

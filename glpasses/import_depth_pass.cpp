@@ -22,8 +22,8 @@ GLint level_parameter(GLuint texture, GLenum name) {
     return value;
 }
 
-/// Whether it is a 2D texture, which it is if it can be bound as one: many drivers answer
-/// GL_TEXTURE_TARGET in core contexts alone.
+/// Whether it is a 2D texture. The test is to bind it as one, because many drivers answer
+/// GL_TEXTURE_TARGET only in core contexts.
 bool is_2d(GLuint texture) {
     glBindTexture(GL_TEXTURE_2D, texture);
     GLint bound = 0;
@@ -31,7 +31,7 @@ bool is_2d(GLuint texture) {
     return static_cast<GLuint>(bound) == texture;
 }
 
-/// Takes the errors of calls that were to fail. A context that is lost may have no end of them.
+/// Takes the errors of calls that may fail. A lost context may never run out of errors.
 void take_errors() {
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
     }

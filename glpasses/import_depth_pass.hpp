@@ -11,12 +11,12 @@
 namespace lineatlas::gl {
 
 /// The kind of depth in `texture`. Throws UsageError if there is no texture of that name, or if it
-/// is not a plain 2D depth texture with `size` texels from `origin` on. Within a StateGuard: leaves
-/// it bound.
+/// is not a plain 2D depth texture with `size` texels from `origin` on. Call within a StateGuard,
+/// because the texture stays bound.
 DepthValues check_depth_texture(GLuint texture, glm::ivec2 origin, glm::ivec2 size);
 
-/// `import_depth`: a program's own depth texture as window depth, in a texture of floats, which may
-/// lie outside of 0 to 1.
+/// `import_depth`: converts a program's own depth texture to window depth, in a texture of floats.
+/// Values may lie outside of 0 to 1.
 class ImportDepthPass {
   public:
     ImportDepthPass();
@@ -35,7 +35,7 @@ class ImportDepthPass {
 
     Program program_;
     VertexArray vertex_array_; ///< without attributes
-    Sampler sampler_;          ///< in place of the texture's own, which may compare
+    Sampler sampler_;          ///< in place of the texture's own sampler, which may compare depths
     Framebuffer framebuffer_;
     TexelCopy copy_;
     Texture2D texture_;

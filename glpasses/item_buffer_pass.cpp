@@ -8,7 +8,7 @@
 namespace lineatlas::gl {
 namespace {
 
-// Beyond what half the width of a line needs: rounding of depths and of places on the raster.
+// Offset beyond half the width of a line, for rounding of depths and of places on the raster.
 constexpr float offset_units = 4;
 
 std::size_t bytes_of(glm::ivec2 size) {
@@ -24,7 +24,7 @@ Texture2D make_texture(GLenum format, glm::ivec2 size) {
     return texture;
 }
 
-/// The widest lines that can be had: a forward compatible context refuses all but the thinnest.
+/// The width of the widest lines. A forward compatible context draws only the thinnest.
 int widest_line() {
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
@@ -62,9 +62,9 @@ std::span<ItemLine> ItemBufferPass::map_lines(std::uint32_t count) {
     line_count_ = count;
     if (count == 0) return {};
     if (count > line_capacity_) {
-        constexpr std::uint32_t most = (1U << 31U) / 2 - 1; // glDrawArrays counts their ends
+        constexpr std::uint32_t most = (1U << 31U) / 2 - 1; // glDrawArrays counts ends of lines
         const auto capacity = static_cast<std::uint32_t>(with_room_to_grow(count, most));
-        line_capacity_ = 0; // until it is there
+        line_capacity_ = 0; // until the buffer is made
         lines_ = Buffer::create();
         allocate(lines_, std::size_t{capacity} * sizeof(ItemLine), nullptr, GL_MAP_WRITE_BIT,
                  purpose::item_buffer);
@@ -80,7 +80,7 @@ void ItemBufferPass::resize(const ItemBufferShape& shape) {
     if (shape == shape_) return;
     const glm::ivec2 size = shape.size();
     check_side(size, purpose::item_buffer);
-    shape_ = {{0, 0}, 1, 0}; // until all of it is made
+    shape_ = {{0, 0}, 1, 0}; // until all textures are made
     polygon_depth_ = make_texture(GL_DEPTH_COMPONENT32F, size);
     line_depth_ = shape.layers > 1 ? make_texture(GL_DEPTH_COMPONENT32F, size) : Texture2D{};
     glNamedFramebufferTexture(polygon_framebuffer_.id(), GL_DEPTH_ATTACHMENT, polygon_depth_.id(),
@@ -94,7 +94,7 @@ void ItemBufferPass::resize(const ItemBufferShape& shape) {
         layer.readback = Buffer::create();
         allocate(layer.readback, bytes_of(size), nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT,
                  purpose::item_buffer);
-        // The last layer may spoil the polygons' depth, all before it need a copy.
+        // The last layer may change the polygons' depth. All layers before it need a copy.
         const bool last = i + 1 == shape.layers;
         glNamedFramebufferTexture(layer.framebuffer.id(), GL_COLOR_ATTACHMENT0, layer.ids.id(), 0);
         glNamedFramebufferTexture(layer.framebuffer.id(), GL_DEPTH_ATTACHMENT,

@@ -40,10 +40,10 @@ struct ItemImages {
 };
 
 /// `item_buffer`: the ID reference image of Northrup & Markosian 2000, or the supersampled and
-/// peeled one of Cole & Finkelstein 2008: the polygons' depth, then every line with its ID in place
-/// of a colour. Polygons are drawn with the slope-scaled offset of the published methods. Where
-/// supersampled, lines are one pixel, not one texel, wide: what covers a part of that width hides a
-/// part of the line.
+/// peeled one of Cole & Finkelstein 2008. Draws the polygons' depth, then every line with its ID in
+/// place of a colour. Polygons are drawn with the slope-scaled offset of the published methods.
+/// Supersampled lines are one pixel wide, not one texel, so that a face may hide a part of a line's
+/// width.
 class ItemBufferPass {
   public:
     static constexpr std::uint32_t max_layers = 3;

@@ -14,7 +14,7 @@ LayerPass::LayerPass()
     : program_({"layer.vert", "layer.frag"}), vertex_array_(VertexArray::create()) {}
 
 void LayerPass::make_room(glm::ivec2 size) {
-    size = glm::max(size, size_); // for tiles of all sizes
+    size = glm::max(size, size_); // so that tiles of all sizes fit
     if (size == size_) return;
     Texture2D texture = Texture2D::create();
     allocate(texture, GL_RGBA8, size, purpose::picture);

@@ -8,14 +8,14 @@
 
 namespace lineatlas::gl {
 
-/// Puts pixels that kernels drew over the picture.
+/// Lays pixels that kernels drew over the picture.
 class LayerPass {
   public:
     LayerPass();
 
     /// `pixels`: a buffer of `size` pixels in rows from the lower left: premultiplied RGBA, 8 bits
-    /// per channel. Those in `part` are read, and blended over what `framebuffer` has there;
-    /// `origin`: of all `size` pixels in it. Throws DeviceError where they are too many for a
+    /// per channel. Pixels in `part` are read and blended over `framebuffer`. `origin`: where all
+    /// `size` pixels begin in the framebuffer. Throws DeviceError if the pixels are too many for a
     /// texture.
     void draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part, GLuint framebuffer,
               glm::ivec2 origin);

@@ -52,7 +52,7 @@ void LinePass::draw_lines(const LineBuffers& lines, const glm::mat4& clip_from_w
                           glm::vec4 color) {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    // Blending is for lines that are not opaque; others need not pay for it.
+    // Opaque lines need no blending and do not pay for it.
     if (color.w < 1) {
         glEnablei(GL_BLEND, 0);
         glBlendEquationi(0, GL_FUNC_ADD);

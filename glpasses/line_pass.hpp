@@ -19,14 +19,14 @@ struct LineBuffers {
     std::uint32_t line_count;
 };
 
-/// `opengl`: what everybody does. Polygons into the depth buffer of the framebuffer, pushed back by
+/// `opengl`, the usual way. Draws polygons into the depth buffer of the framebuffer, pushed back by
 /// a slope-scaled offset, then line primitives under the depth test (§2, §5 OGL).
 class LinePass {
   public:
     LinePass();
 
-    /// Draws into `framebuffer`, which needs a depth attachment; its depth is cleared
-    /// there.
+    /// Draws the depth of the triangles into `framebuffer`, which needs a depth attachment. Clears
+    /// the depth of the viewport.
     void draw_depth(const TriangleBuffers& triangles, const glm::mat4& clip_from_world,
                     glm::ivec2 origin, glm::ivec2 viewport, GLuint framebuffer);
     /// Draws the lines over what draw_depth() left. `width` in pixels, within what GL allows.

@@ -6,9 +6,9 @@
 
 namespace lineatlas::gl {
 
-/// While one lives, GL objects that are destroyed on this thread are not deleted in GL but left to
-/// their context. That context is not current, and in the current one their names may belong to
-/// other objects.
+/// While such an object lives, GL objects that are destroyed on this thread are not deleted in GL
+/// but left to their context. It is for times when that context is not current: in another context
+/// their names may belong to other objects.
 class ForgetObjects {
   public:
     ForgetObjects() { ++depth(); }

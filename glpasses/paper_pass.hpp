@@ -12,8 +12,8 @@ class PaperPass {
   public:
     explicit PaperPass(const PaperTile& tile);
 
-    /// Over `tile` of the picture. `grain`: how strongly, 0 to 1. Alpha stays as it is.
-    /// `origin`: of the viewport in the framebuffer.
+    /// Draws the grain over `tile` of the picture. `grain`: its strength, 0 to 1. Alpha stays as it
+    /// is. `origin`: where the viewport begins in the framebuffer.
     void draw(const PictureTile& tile, float grain, GLuint framebuffer, glm::ivec2 origin);
 
   private:

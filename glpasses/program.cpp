@@ -24,7 +24,7 @@ GLenum stage_of(std::string_view file) {
     return GL_FRAGMENT_SHADER;
 }
 
-/// The lines that define `names`, to follow the line with the version.
+/// Lines that define `names`, to stand after the line with the version.
 std::string define_lines(std::string_view names) {
     std::string lines;
     while (!names.empty()) {

@@ -16,7 +16,8 @@
 
 namespace lineatlas::gl {
 
-/// A linked program. Uniforms are set by name; one that the linker has removed is ignored.
+/// A linked program. Uniforms are set by name. Setting a uniform that the linker has removed does
+/// nothing.
 class Program {
   public:
     /// Builds a program from shader files; the extension tells the stage: .vert, .geom, .frag or

@@ -8,7 +8,7 @@
 namespace lineatlas::gl {
 namespace {
 
-/// Attributes of one segment, a vertex each.
+/// A vertex array with one segment per vertex.
 VertexArray segment_array() {
     VertexArray array = VertexArray::create();
     for (GLuint attribute = 0; attribute < 2; ++attribute) {

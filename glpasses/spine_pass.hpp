@@ -17,7 +17,7 @@ struct SegmentBuffers {
     GLuint segments;  ///< `Segment` each
     GLuint vertices;  ///< 3 floats each
     GLuint triangles; ///< 3 uint32 each
-    GLuint numbers;   ///< a uint32 per triangle, as in SurfaceTextures; 0 where nothing is known
+    GLuint numbers;   ///< a uint32 per triangle, as in SurfaceTextures; 0 if surfaces are not known
     std::uint32_t segment_count, vertex_count, triangle_count;
 };
 

@@ -84,7 +84,7 @@ void enable_first(GLenum capability, bool on) {
         glDisablei(capability, 0);
 }
 
-/// glPolygonOffset() sets a third number to 0, where there is one.
+/// Whether polygon offsets have a clamp, which glPolygonOffset() sets to 0.
 bool has_offset_clamp() {
     return epoxy_gl_version() >= 46;
 }
@@ -198,7 +198,7 @@ void StateGuard::set_initial() {
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glLineWidth(1.0F);
-    // Shaders write to the first draw buffer only: what others would get is undefined.
+    // Shaders write to the first draw buffer only, and others would get undefined values.
     for (int i = 0; i < draw_buffers_; ++i) {
         const GLboolean write = i == 0 ? GL_TRUE : GL_FALSE;
         glColorMaski(name(i), write, write, write, write);
@@ -239,7 +239,7 @@ void StateGuard::restore_raster() const {
     glDepthFunc(static_cast<GLenum>(depth_func_));
     glClipControl(static_cast<GLenum>(clip_origin_), static_cast<GLenum>(clip_depth_));
     glProvokingVertex(static_cast<GLenum>(provoking_vertex_));
-    if (is_compatibility_) { // one for either side of a polygon
+    if (is_compatibility_) { // there is one mode for either side of a polygon
         glPolygonMode(GL_FRONT, static_cast<GLenum>(polygon_mode_[0]));
         glPolygonMode(GL_BACK, static_cast<GLenum>(polygon_mode_[1]));
     } else {

@@ -16,15 +16,16 @@ namespace lineatlas::gl {
 /// other state (indexed buffers, images, pipelines, queries, debug groups).
 class StateGuard {
   public:
-    /// Saves the state of the current context and sets what passes expect: GL's initial state, but
-    /// for bindings. Throws UsageError where no pass can run: while a transform feedback is active
-    /// and as CompatibilityState::save() does.
+    /// Saves the state of the current context and sets the state that passes expect: GL's initial
+    /// state, except for bindings. Throws UsageError if no pass can run: while a transform feedback
+    /// is active, and as CompatibilityState::save() does.
     StateGuard();
     ~StateGuard();
     StateGuard(const StateGuard&) = delete;
     StateGuard& operator=(const StateGuard&) = delete;
 
-    /// For calls back into the program: gives its state back, and takes it again.
+    /// For calls back into the program: restore() gives the program's state back, and take() saves
+    /// it again.
     void restore();
     void take();
 
@@ -48,7 +49,7 @@ class StateGuard {
     void restore_textures() const;
 
     bool is_compatibility_ = false;
-    CompatibilityState compatibility_; ///< if it is
+    CompatibilityState compatibility_; ///< used if is_compatibility_
     std::array<GLboolean, capability_count> enabled_{};
     std::array<GLint, pixel_store_count> pixel_store_{};
     GLint program_ = 0, vertex_array_ = 0, draw_framebuffer_ = 0, read_framebuffer_ = 0;

@@ -18,7 +18,7 @@ GLint limit(GLenum name) {
 }
 
 void forget_errors() {
-    constexpr int most = 16; // a lost context never runs out of them
+    constexpr int most = 16; // a lost context never runs out of errors
     for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) {
     }
 }
@@ -35,7 +35,7 @@ std::string too_large(glm::ivec2 size, int largest, const Purpose& purpose) {
                         "GL draws up to " + std::to_string(largest) + " a side here");
 }
 
-/// Runs what gives an object its memory; `size`: how much.
+/// Runs an action that gives an object its memory. `size`: how much, for the message.
 template <class Size, class Action>
 void checked(const Purpose& purpose, Size size, Action&& action) {
     forget_errors();
@@ -83,7 +83,7 @@ void import(const Buffer& buffer, std::size_t bytes, int descriptor, std::size_t
         glCreateMemoryObjectsEXT(1, &memory);
         glImportMemoryFdEXT(memory, whole, GL_HANDLE_TYPE_OPAQUE_FD_EXT, descriptor);
         glNamedBufferStorageMemEXT(buffer.id(), static_cast<GLsizeiptr>(bytes), memory, 0);
-        glDeleteMemoryObjectsEXT(1, &memory); // the buffer has it
+        glDeleteMemoryObjectsEXT(1, &memory); // the buffer holds the memory
     });
 }
 

@@ -11,7 +11,7 @@
 namespace lineatlas::gl {
 namespace {
 
-/// Attributes of one run, a vertex each.
+/// A vertex array with one run per vertex.
 VertexArray run_array() {
     VertexArray array = VertexArray::create();
     for (GLuint attribute = 0; attribute < 5; ++attribute) {
@@ -26,20 +26,20 @@ VertexArray run_array() {
     return array;
 }
 
-// No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
+// The longest mitre of any turn that is joined (LA_JOIN_LIMIT_COSINE).
 constexpr float longest_mitre = 4;
 
 float largest(std::span<const float> profile) {
     return *std::ranges::max_element(profile);
 }
 
-/// Whether factors have any effect.
+/// Whether a profile has any effect.
 bool varies(std::span<const float> profile) {
     return profile.size() != 1 || profile[0] != 1.0F;
 }
 
-/// Names of all that the shader has to do for a style (strokes.frag): it is as cheap as they are
-/// few.
+/// Lists the features that a style needs of the shader (strokes.frag). Fewer features make a
+/// cheaper shader.
 void list_features(const StrokeParams& params, const StrokeStyle& style, bool density,
                    std::string& names) {
     const auto has_cap = [&](Cap cap) { return style.cap == cap || style.path_cap == cap; };
@@ -102,7 +102,8 @@ void set_style(const Program& program, const StrokeParams& params, const StrokeS
 } // namespace
 
 void PenTexture::bind(const Program& program, GLuint unit) const {
-    // Binding none would unbind whatever the program around has on the unit, of every kind.
+    // Binding texture 0 would unbind textures of every kind that the program around has on the
+    // unit.
     if (texture != 0) glBindTextureUnit(unit, texture);
     program.set("pen", static_cast<int>(unit));
     program.set("pen_repeat", repeat_length);
@@ -128,7 +129,7 @@ StrokePass::StrokePass()
 
 void StrokePass::draw(const RunBuffers& runs, const StrokeParams& params, const StrokeStyle& style,
                       const DensityWeights& density) {
-    // In every draw: buffers may have grown into others since the last one.
+    // Done in every draw, because buffers may have grown and been replaced since the last one.
     glTextureBuffer(alpha_.id(), GL_R8, runs.alpha);
 
     list_features(params, style, density.buffer != 0, features_);

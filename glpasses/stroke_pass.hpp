@@ -44,14 +44,14 @@ struct DensityWeights {
     float cell = 0; ///< pixels per axis
 };
 
-/// What the shader has to know of a focus (Focus in style.hpp).
+/// What the shader has to know about a focus (Focus in style.hpp).
 struct FocusParams {
     bool in_scene = false;
     glm::vec3 point{0, 0, 0};      ///< pixels, or in the model's coordinates
     float radius = 0, falloff = 0; ///< in the same units
     float far_width = 1;           ///< factors far from the focus
     float far_opacity = 1;
-    PenTexture far_pen; ///< the mark there
+    PenTexture far_pen; ///< the mark far from the focus
     glm::mat4 world_from_clip{1};
 };
 
@@ -64,9 +64,10 @@ struct StrokeStyle {
     std::span<const float> width_profile, opacity_profile; ///< at least one value each
     PenTexture cap_grain;                                  ///< for textured caps
     std::optional<FocusParams> focus;
-    bool hidden = false; ///< draw runs of hidden samples: opaque where nothing is visible
-    std::optional<std::uint32_t> only_pen{}; ///< draw the runs of this pen; else all
-    bool exact_ends = false; ///< runs end where visibility does (`filter`), some without samples
+    bool hidden = false; ///< draw runs of hidden samples, opaque where the line is hidden
+    std::optional<std::uint32_t> only_pen{}; ///< draw only the runs of this pen; none: all runs
+    /// Runs end exactly where visibility does (`filter`); some have no samples.
+    bool exact_ends = false;
 };
 
 /// The visible runs on the GL side, as `compact` writes them.
@@ -76,8 +77,8 @@ struct RunBuffers {
     GLuint alpha;  ///< the segment atlas, one byte per texel
 };
 
-/// `strokes`: draws the visible runs over the bound framebuffer, premultiplied. How many there are
-/// stays on the device: the draw is indirect.
+/// `strokes`: draws the visible runs over the bound framebuffer, premultiplied. The draw is
+/// indirect, so the number of runs stays on the device.
 class StrokePass {
   public:
     StrokePass();

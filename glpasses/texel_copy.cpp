@@ -8,9 +8,9 @@
 namespace lineatlas::gl {
 namespace {
 
-constexpr int group = 16; // copy_texels.comp
+constexpr int group = 16; // local size of copy_texels.comp
 
-/// What the program around has bound as the first storage buffer, which it gets back.
+/// Keeps the first storage buffer of the program around, and binds it again at the end.
 class StorageBinding {
   public:
     explicit StorageBinding(GLuint buffer) {

@@ -36,7 +36,7 @@ std::int64_t TimerQueries::time(GLuint query) {
 }
 
 ClockOffset read_clock_offset() {
-    constexpr int readings = 3; // one may have been interrupted
+    constexpr int readings = 3; // a reading may have been interrupted
     ClockOffset best{0, std::numeric_limits<std::int64_t>::max()};
     for (int i = 0; i < readings; ++i) {
         const std::int64_t before = host_nanoseconds();

@@ -16,23 +16,23 @@ class TimerQueries {
     TimerQueries(const TimerQueries&) = delete;
     TimerQueries& operator=(const TimerQueries&) = delete;
 
-    /// A query for the moment at which all that was submitted before is done.
+    /// A query for the moment at which all earlier commands are done.
     GLuint stamp();
     /// Whether the answer is there; doesn't wait.
     static bool is_available(GLuint query);
-    /// The answer in GL's nanoseconds, with a wait if it isn't there.
+    /// The answer in GL's nanoseconds. Waits for it.
     static std::int64_t time(GLuint query);
-    /// A query that is no longer needed.
+    /// Takes back a query that is no longer needed.
     void give_back(GLuint query) { free_.push_back(query); }
 
   private:
     std::vector<GLuint> all_, free_;
 };
 
-/// How GL's clock lies to std::chrono::steady_clock.
+/// The difference between GL's clock and std::chrono::steady_clock.
 struct ClockOffset {
-    std::int64_t nanoseconds; ///< to add to GL's
-    std::int64_t error;       ///< by which that may be wrong
+    std::int64_t nanoseconds; ///< to add to GL's time
+    std::int64_t error;       ///< how wrong that may be at most
 };
 ClockOffset read_clock_offset();
 

@@ -5,7 +5,7 @@
 
 namespace lineatlas::gl {
 
-/// The first of GL's viewports; the program around may use the others.
+/// Sets the first of GL's viewports. The program around may use the others.
 inline void set_viewport(glm::ivec2 low, glm::ivec2 size) {
     glViewportIndexedf(0, static_cast<float>(low.x), static_cast<float>(low.y),
                        static_cast<float>(size.x), static_cast<float>(size.y));

@@ -35,7 +35,7 @@ static uint segment_of_sample(__global const uint* offsets, const uint count, co
     return low;
 }
 
-/* How many probes see sample j of l. */
+/* How many probes see the line at sample j of l. */
 static uint count_visible(const Spine spine, const uint j, const float inverse_l,
                           const Depth depth) {
     const float shift = lone_probe_shift(spine, PROBES_PER_AXIS, depth.scale);
@@ -52,8 +52,8 @@ static uint count_visible(const Spine spine, const uint j, const float inverse_l
 }
 
 #ifdef TILED
-/* Judged by the place in the whole picture, which is the same in every tile to the last bit: so
- * each sample is in exactly one core. */
+/* The place in the whole picture decides. It is the same in every tile to the last bit, so each
+ * sample is in exactly one core. */
 static bool is_in_core(const float2 whole_p, const Spine spine, const uint j, const float inverse_l,
                        const int4 core) {
     const float2 place = whole_p + spine.d * (((float)j + 0.5f) * inverse_l);
@@ -62,9 +62,9 @@ static bool is_in_core(const float2 whole_p, const Spine spine, const uint j, co
 }
 #endif
 
-/* alpha: one byte per sample, 0 to 255. Samples at or beyond `capacity` are
- * left out: the host sees the total, enlarges the atlas and runs the kernel again. For TILED alone:
- * origin is the first texel of `depth` in the whole, core the texels from xy up to zw, without. */
+/* alpha: one byte per sample, 0 to 255. Samples at or beyond `capacity` are left out: the host sees
+ * the total, enlarges the atlas and runs the kernel again. Only TILED reads `origin`, the first
+ * texel of `depth` in the whole, and `core`, the texels from xy up to but without zw. */
 KERNEL(atlas, AtlasParameters) {
     const uint count = args.count;
     const uint total = min(offsets[count], args.capacity);

@@ -1,21 +1,22 @@
-/* Batches of segments or triangles: what `project_clip` and `surfaces` share that look at them. */
+/* Batches of segments or triangles: what `project_clip` and `surfaces` share to look at them. */
 #ifndef LINEATLAS_BATCHES_H
 #define LINEATLAS_BATCHES_H
 
 #include "clipping.h"
 #include "kernels.h"
 
-/* Rounding of a point in clip space, as a share of the largest sum that it is made of, with some to
- * spare; the box of a batch is wider by it. */
+/* Rounding of a point in clip space, with some to spare, as a share of the largest sum that the
+ * point is made of. The box of a batch is wider by it. */
 #define BATCH_ROUNDING 1e-6f
-/* Nothing is outside that is nearer than this to the picture, in pixels. */
+/* A batch counts as outside only if it is at least this far from the picture, in pixels. */
 #define BATCH_MARGIN 2.0f
-/* Beyond this nothing is said of a box, in normalised device coordinates: floats end somewhere. */
+/* A box that reaches beyond this, in normalised device coordinates, counts as unbounded: floats end
+ * somewhere. */
 #define BATCH_LARGEST 1e4f
 
 /* A batch in normalised device coordinates. */
 typedef struct BatchOnScreen {
-    float3 low, high; /* mean nothing unless it is bounded */
+    float3 low, high; /* mean nothing unless is_bounded */
     float least_w;
     bool is_outside; /* beside the picture, or before the near plane */
     bool is_bounded; /* all of it lies beyond the near plane */
@@ -29,7 +30,7 @@ static BatchOnScreen batch_on_screen(const Matrix m, const float2 viewport,
                                      __global const Batch* batch) {
     const float3 low = vload3(0, batch->low), high = vload3(0, batch->high);
     const float3 farthest = fmax(high, low * -1.0f);
-    /* Of the sums that each coordinate is made of at any corner. */
+    /* The rounding of each coordinate, from the largest sums that it is made of at any corner. */
     const float3 e =
         float3(largest_of(m.x.x * farthest.x, m.y.x * farthest.y, m.z.x * farthest.z, m.w.x),
                largest_of(m.x.y * farthest.x, m.y.y * farthest.y, m.z.y * farthest.z, m.w.y),
@@ -53,7 +54,7 @@ static BatchOnScreen batch_on_screen(const Matrix m, const float2 viewport,
         outside &= (c.x + e.x < -w_x ? 1u : 0u) | (c.x - e.x > w_x ? 2u : 0u) |
                    (c.y + e.y < -w_y ? 4u : 0u) | (c.y - e.y > w_y ? 8u : 0u) |
                    (c.z + e.z < -(c.w + e_w) ? 16u : 0u);
-        const float w = c.w - e_w; /* what is nearer is larger */
+        const float w = c.w - e_w; /* a nearer place is larger on the screen */
         box.is_bounded = box.is_bounded && w > 0.0f && c.z - e.z > -w;
         const float3 n = xyz(c) / c.w;
         const float3 doubt = (e + fmax(n, n * -1.0f) * e_w) / w;

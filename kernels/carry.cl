@@ -27,8 +27,9 @@
 /* A piece shorter than this gives way to a longer one beside it. */
 #define SHORT_PIECE (32u * 256u)
 #define MOST_STEPS 64
-/* Neighbours on either side whose mean offset one is drawn to, and shares per frame of the way to
- * that, to the mean of the piece, and of what is beyond the limit. */
+/* A silhouette's offset is drawn to the mean offset of so many neighbours on either side. The
+ * shares say how much of the way it goes per frame: to that mean, to the mean of the piece, and
+ * back to the limit. */
 #define NEIGHBOURS 12u
 #define SHARE_NEAR(offset) ((offset) / 4)
 #define SHARE_PIECE(offset) ((offset) / 50)
@@ -40,7 +41,7 @@ static bool is_drawn(__global const uint* arcs, const uint s) {
     return arcs[s + 1] != arcs[s];
 }
 
-/* How far a path goes on from where segment `from` begins, no farther than it is smoothed. */
+/* How far a path goes on from the start of segment `from`, no farther than it is smoothed. */
 static uint reach_of(const Frame frame, const uint from, const bool forward) {
     uint sum = 0;
     for (uint r = 0; r < SMOOTHED_SEGMENTS && sum < SMOOTHED_REACH; ++r) {
@@ -52,7 +53,7 @@ static uint reach_of(const Frame frame, const uint from, const bool forward) {
     return min(sum, SMOOTHED_REACH);
 }
 
-/* Sum of the places along a path from where segment `from` begins, so far. */
+/* Sum of the places along a path from the start of segment `from`, over the length `reach`. */
 static float2 sum_along(const Frame frame, const uint from, const bool forward, const uint reach) {
     float2 sum = float2(0.0f, 0.0f);
     uint left = reach;
@@ -70,8 +71,8 @@ static float2 sum_along(const Frame frame, const uint from, const bool forward, 
     return sum;
 }
 
-/* The end of a segment on the screen, zigzags smoothed: the mean of the path around it, as far to
- * either side. */
+/* The end of a segment on the screen with zigzags smoothed: the mean of the path around the end,
+ * equally far to either side. */
 static float2 smoothed_end(const Frame frame, const uint s, const bool at_end) {
     const float2 own =
         window_position(at_end ? frame.clipped[s].q : frame.clipped[s].p, frame.viewport);
@@ -87,8 +88,8 @@ static uint packed_range(__global const ClippedSegment* segment) {
     return (uint)(segment->t0 * 65535.0f + 0.5f) | (uint)(segment->t1 * 65535.0f + 0.5f) << 16;
 }
 
-/* Where a clip parameter lay in the frame before, as a share of what was drawn; how depth changes
- * along the line is taken for the same. */
+/* Where a clip parameter lay in the frame before, as a share of the part that was drawn. The change
+ * of depth along the line is taken for the same in both frames. */
 static float share_before(const float t, const float t0, const float length, const float wp,
                           const float wq) {
     const float in_space = (t - t0) / length;
@@ -96,8 +97,9 @@ static float share_before(const float t, const float t0, const float length, con
     return in_space * wq / (in_space * wq + (1.0f - in_space) * wp);
 }
 
-/* One work-item per silhouette. lengths: smoothed; found: 1 where the frame before had it, running
- * the same way; recalled: its coordinates then, at the ends that it has now. */
+/* One work-item per silhouette. lengths: its smoothed length. found: 1 if the frame before had it
+ * and it ran the same way. recalled: its coordinates then, at the ends that it has in this frame.
+ */
 KERNEL(carry_recall, CarryParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -134,8 +136,8 @@ static int offset_at(__global const uint* lengths, __global const int* recalled,
     return recalled[2 * i + end] - (int)(lengths[i + end] - lengths[chain]);
 }
 
-/* Whether of two silhouettes that follow each other in a chain, with only new ones between them,
- * the second begins another piece. */
+/* True if the second of two silhouettes of a chain, with only new ones between them, begins another
+ * piece. */
 static bool breaks_between(__global const uint* lengths, __global const int* recalled,
                            const uint chain, const uint before, const uint after) {
     const int gap = (int)(lengths[after] - lengths[before + 1]);
@@ -148,8 +150,8 @@ static bool breaks_between(__global const uint* lengths, __global const int* rec
  * to matter. */
 typedef struct PieceEnd {
     uint at;
-    bool broken; /* another piece follows, */
-    uint beyond; /* which begins here */
+    bool broken; /* another piece follows */
+    uint beyond; /* where that piece begins */
 } PieceEnd;
 
 static PieceEnd piece_end(const CarryParameters args, __global const Segment* segments,
@@ -175,7 +177,7 @@ static PieceEnd piece_end(const CarryParameters args, __global const Segment* se
     return end;
 }
 
-/* One work-item per silhouette. kept: 1 where what is recalled counts. */
+/* One work-item per silhouette. kept: 1 if its recalled coordinates count. */
 KERNEL(carry_keep, CarryParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -196,9 +198,9 @@ KERNEL(carry_keep, CarryParameters) {
     }
 }
 
-/* One work-item per silhouette that is kept, and for all others. kept: scanned. list: those that
- * are kept. breaks: 1 where a piece begins
- * behind another; means: offset in the middle. */
+/* One work-item per silhouette; the first ones take the kept silhouettes, the others write zeros.
+ * kept: scanned. list: the kept silhouettes. breaks: 1 where a piece begins behind another. means:
+ * the offset in the middle of each. */
 KERNEL(carry_breaks, CarryParameters) {
     const uint k = (uint)get_global_id(0);
     if (k >= args.count) return;
@@ -216,7 +218,8 @@ KERNEL(carry_breaks, CarryParameters) {
     breaks[k] = other ? 1u : 0u;
 }
 
-/* The same. breaks: scanned. pieces: where each begins in the list, and where the last one ends. */
+/* One work-item as in carry_breaks. breaks: scanned. pieces: where each piece begins in the list,
+ * and where the last one ends. */
 KERNEL(carry_pieces, CarryParameters) {
     const uint k = (uint)get_global_id(0);
     const uint total = kept[args.count];
@@ -225,14 +228,15 @@ KERNEL(carry_pieces, CarryParameters) {
     if (k + 1 == total) pieces[breaks[k + 1] + 1] = total;
 }
 
-/* From `own` to the mean of what stands from `first` up to `last`, without it, in a scanned
+/* The way from `own` to the mean of the entries from `first` up to but without `last`, in a scanned
  * table. */
 static int to_mean(__global const uint* means, const uint own, const uint first, const uint last) {
     const uint count = last - first;
     return (int)(means[last] - means[first] - own * count) / (int)count;
 }
 
-/* The same. means: scanned. shifts: how far each goes towards them. */
+/* One work-item as in carry_breaks. means: scanned. shifts: how far each offset goes towards the
+ * means. */
 KERNEL(carry_settle, CarryParameters) {
     const uint k = (uint)get_global_id(0);
     if (k >= kept[args.count]) return;
@@ -249,7 +253,7 @@ KERNEL(carry_settle, CarryParameters) {
     shifts[k] = within + SHARE_BEYOND(wanted - within);
 }
 
-/* What carry_place reads of the list. */
+/* The tables of the list that carry_place reads. */
 typedef struct KeptTables {
     __global const uint* lengths;
     __global const int* recalled;
@@ -260,8 +264,8 @@ typedef struct KeptTables {
     uint chain, last; /* of its silhouettes */
 } KeptTables;
 
-/* The offset that entry k of the list gets at an end. Entries that touch have one there; but
- * nothing changes in a picture that stands still. */
+/* The offset that entry k of the list gets at an end. Entries that touch get one offset there,
+ * except in a picture that stands still, where nothing changes. */
 static int settled_offset(const KeptTables t, const uint k, const uint end, const uint limit) {
     const uint i = t.list[k];
     const int own = offset_at(t.lengths, t.recalled, t.chain, i, end) + t.shifts[k];
@@ -279,7 +283,7 @@ static int settled_offset(const KeptTables t, const uint k, const uint end, cons
 static int filled_offset(const KeptTables t, const uint k, const uint i, const uint end,
                          const uint limit) {
     const uint total_before = t.kept[t.chain], total = t.kept[t.last + 1];
-    if (total == total_before) /* all is new: zero is in the middle */
+    if (total == total_before) /* all silhouettes are new: zero is in the middle */
         return -(int)((t.lengths[t.last + 1] - t.lengths[t.chain]) / 2u);
     if (k == total_before) return settled_offset(t, k, 0, limit);
     const int before = settled_offset(t, k - 1u, 1, limit);
@@ -294,7 +298,8 @@ static int filled_offset(const KeptTables t, const uint k, const uint i, const u
     return before + (int)((float)(after - before) * ((float)at / (float)gap));
 }
 
-/* One work-item per silhouette. carried: its coordinates at both ends; memory: of this frame. */
+/* One work-item per silhouette. carried: its coordinates at both ends. memory: what this frame
+ * remembers. */
 KERNEL(carry_place, CarryParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -317,15 +322,15 @@ KERNEL(carry_place, CarryParameters) {
     own[LA_MEMORY_STAMP] = drawn ? (int)(args.frame << 1 | (origin & 1u)) : 0;
 }
 
-/* The coordinate at a share of a segment; beyond its ends a pixel is a pixel. */
+/* The coordinate at a share of a segment. Beyond the ends it grows by one per pixel. */
 static float coordinate_at(const float start, const float end, const float length_px,
                            const float share) {
     const float within = clamp(share, 0.0f, 1.0f);
     return start + (end - start) * within + (share - within) * length_px;
 }
 
-/* One work-item per run: those of silhouettes get the coordinates that were carried. How far it is
- * to the ends of their stroke stays. */
+/* One work-item per run. Runs of silhouettes get the carried coordinates. Their distances to the
+ * ends of their strokes stay. */
 KERNEL(carry_runs, CarryParameters) {
     const uint r = (uint)get_global_id(0);
     if (r >= args.count || r >= record->points[0]) return;

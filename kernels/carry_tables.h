@@ -6,12 +6,13 @@ typedef struct CarryParameters {
     la_uint count;    /* silhouettes; of carry_runs runs that there is room for */
     la_uint first;    /* of them in the segment table */
     la_vec2 viewport; /* pixels */
-    la_uint frame;    /* number of this frame; what is remembered of the one before it counts */
+    la_uint frame;    /* number of this frame; only what the frame before it remembered counts */
     la_uint limit;    /* by how much a coordinate may shift, 1/256 pixels; 0: none may */
 } CarryParameters;
 
-/* What `memory` has of each candidate: its coordinates at the clipped start and end, 1/256 pixels,
- * the clip parameters of both, 16 bits each, and 2 frame + 1 if it ran the other way. */
+/* What `memory` holds of each candidate: its coordinates at the clipped start and end in 1/256
+ * pixels, the clip parameters of both with 16 bits each, and a stamp: 2 frame, and 1 more if the
+ * candidate ran the other way. */
 #define LA_MEMORY_START 0u
 #define LA_MEMORY_END 1u
 #define LA_MEMORY_RANGE 2u

@@ -13,7 +13,7 @@
 #include "clipping.h"
 #include "kernels.h"
 
-/* Silhouettes that are paired at a vertex; where more meet the others end there. */
+/* Silhouettes that are paired at a vertex. If more meet there, the others end there. */
 #define MOST_MEETING 8
 
 static float dot_of(const float3 a, const float3 b) {
@@ -21,7 +21,7 @@ static float dot_of(const float3 a, const float3 b) {
 }
 
 /* The direction in which a line leaves a vertex, as the eye sees it: without its part along the
- * view. Zero where nothing else is left. */
+ * view. Zero if that is all of it. */
 static float3 seen_direction(const float3 from, const float3 to, const float4 eye) {
     const float3 to_eye = xyz(eye) - from * eye.w;
     const float3 way = to - from;
@@ -32,8 +32,8 @@ static float3 seen_direction(const float3 from, const float3 to, const float4 ey
     return length > 0.0f ? across / length : float3(0.0f, 0.0f, 0.0f);
 }
 
-/* Of more than two ends that meet at a vertex the one that end `own` goes on in, or itself: the
- * straightest pair is joined first, then the straightest of what is left. */
+/* Returns in which other end `own` goes on, if more than two ends meet at a vertex, or `own` if in
+ * none. The straightest pair is joined first, then the straightest of those that are left. */
 static int straightest_partner(const int own, const float3* directions, const int count) {
     uint left = (1u << count) - 1u;
     for (int joined = 0; joined < count / 2; ++joined) {
@@ -90,11 +90,12 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
         partner = straightest_partner(own, directions, count);
     }
     if (partner == own) return LA_WAY_ENDS;
-    /* What is entered at its p is taken from p to q. */
+    /* A silhouette that is entered at its p is taken from p to q. */
     return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
 }
 
-/* The same of a contour: behind its q begins another at its p, and the other way round. */
+/* The way that goes on behind an end of a contour. Behind its q another contour begins with its p,
+ * and the other way round. */
 static uint contour_on(__global const ContourCrossing* crossing, const uint end) {
     const uint other = end != 0 ? crossing->after : crossing->before;
     return other == LA_NO_SILHOUETTE ? LA_WAY_ENDS : other << 1 | (1u - end);
@@ -110,8 +111,9 @@ static uint rank_of(const uint way, const uint c, const uint follows,
 }
 
 /* One work-item per silhouette. chosen, numbers: of `silhouette`; crossings: of `contour`.
- * end_offsets, ends: of every vertex of the mesh the ends of its edges there, as 2 i + end for
- * candidate i. ways: each a stretch of one. positions_before: of the frame before, if it counts. */
+ * end_offsets, ends: for every vertex of the mesh the ends of edges there, as 2 i + end for
+ * candidate i. ways: each gets a stretch of one silhouette. positions_before: `positions` of the
+ * frame before, if it counts. */
 KERNEL(chain_link, ChainParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;
@@ -129,11 +131,11 @@ KERNEL(chain_link, ChainParameters) {
     }
 }
 
-/* One work-item per way, which takes over what the way behind its stretch knows. going[step]: 1 if
- * any still has to go on. If none has, the next step copies all, and later ones have nothing to do:
+/* One work-item per way. It takes over what the way behind its stretch knows. going[step]: 1 if any
+ * way still has to go on. If none has, the next step copies all ways and later steps do nothing, so
  * both tables hold the result.
  *
- * A stretch that holds the same least way as the one behind it has gone round a loop. */
+ * A stretch with the same least way as the stretch behind it has gone round a loop. */
 KERNEL(chain_jump, ChainParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || (args.step > 1 && going[args.step - 2] == 0)) return;
@@ -158,7 +160,7 @@ KERNEL(chain_jump, ChainParameters) {
     longer[i] = way;
 }
 
-/* One work-item per silhouette. lengths: of every chain, at its leader; 0 elsewhere. */
+/* One work-item per silhouette. lengths: the length of every chain, at its leader; 0 elsewhere. */
 KERNEL(chain_place, ChainParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;
@@ -184,15 +186,16 @@ KERNEL(chain_place, ChainParameters) {
     lengths[n] = leader == n ? length : 0;
 }
 
-/* Whether a contour is a loop about a bump or two of a rough surface. */
+/* True if a contour is a short loop, about a bump or two of a rough surface. */
 static bool is_noise(const ChainPlace* place, const uint tag) {
     return (tag & LA_TAG_UNDESIGNED) != 0 && (place->flags & LA_PLACE_CLOSED) != 0 &&
            place->before + place->after < LA_LEAST_LOOP;
 }
 
-/* One work-item per silhouette. starts: the scanned lengths. ordered: the segments of the frame,
- * those of chains from `first` on. origins: of each of these 2 i + 1 for candidate i, 2 i + 2 if it
- * is reversed; positions: of each candidate in the same way where it stands, 0 if it doesn't. */
+/* One work-item per silhouette. starts: the scanned lengths. ordered: the segments of the frame;
+ * chains stand from `first` on. origins: for each segment of a chain 2 i + 1 if it is candidate i,
+ * 2 i + 2 if it is candidate i reversed. positions: for each candidate its place among these
+ * segments, coded in the same way, or 0. */
 KERNEL(chain_write, ChainParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;

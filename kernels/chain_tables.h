@@ -4,17 +4,16 @@
 #define LINEATLAS_CHAIN_TABLES_H
 
 /* The way along a chain from one silhouette, in one of its two directions: 2 n + d is silhouette n
- * taken from p to q (d = 0) or from q to p (d = 1). Together with the ways it leads to, a way knows
- * a stretch of its chain that begins with its own silhouette and gets twice as long with each
- * step. */
+ * taken from p to q (d = 0) or from q to p (d = 1). A way knows a stretch of its chain that begins
+ * with its own silhouette. With each step of chain_jump the stretch gets twice as long. */
 typedef struct ChainWay {
     la_uint next;  /* the way behind the stretch, or LA_WAY_* */
-    la_uint hops;  /* silhouettes in the stretch; of a loop those of all of it */
+    la_uint hops;  /* silhouettes in the stretch; of a loop, in the whole loop */
     la_uint least; /* the rank of the least way in the stretch, which names the chain in the end */
-    la_uint at;    /* silhouettes before it in the stretch */
+    la_uint at;    /* silhouettes before that least way in the stretch */
 } ChainWay;
 
-/* ChainWay.least: of a silhouette that the frame before did not have */
+/* Flag in ChainWay.least: the frame before did not have the silhouette. */
 #define LA_RANK_NEW 0x80000000u
 
 /* ChainWay.next: */
@@ -31,12 +30,12 @@ typedef struct ChainPlace {
 #define LA_PLACE_REVERSED 1u /* runs from its q to its p */
 #define LA_PLACE_CLOSED 2u   /* the chain is a loop */
 
-#define LA_NO_SURFACE 0xFFFFFFFFu /* of a triangle that contours don't run through */
+#define LA_NO_SURFACE 0xFFFFFFFFu /* a triangle without contours is of this surface */
 
-/* Places of contours are lifted off the surface by so much of how far corners of their triangle lie
- * off its surface's tangents. A quarter is how far an arc rises over its chord. */
+/* How far places of contours are lifted off the surface, as a share of how far corners of their
+ * triangle lie off the tangents of its surface. An arc rises over its chord by a quarter. */
 #define LA_CONTOUR_LIFT 0.5f
-/* Of what nobody designed, closed contours through no more triangles than this are noise. */
+/* On undesigned surfaces a closed contour through no more triangles than this is noise. */
 #define LA_LEAST_LOOP 12u
 
 /* The triangles beside an edge that contours may cross, whatever surface they are of, as in
@@ -45,18 +44,19 @@ typedef struct ContourEdge {
     la_uint face_a, face_b;
 } ContourEdge;
 
-/* A triangle that contours may run through: its edges, from corner to corner, those that run the
- * other way with LA_CONTOUR_TURNED, and across each the next such triangle; LA_NO_FACE: the surface
- * ends there, and a line goes on. A table of their own has the corners. */
+/* A triangle that contours may run through: its edges from corner to corner, and the next such
+ * triangle across each edge. LA_CONTOUR_TURNED marks an edge that runs the other way. LA_NO_FACE
+ * across an edge: the surface ends there, and a line goes on. The corners are in a table of their
+ * own. */
 typedef struct ContourFace {
     la_uint edges[3], across[3];
 } ContourFace;
 
-/* Where a contour runs through such a triangle, with the side that shows its front to the left as
- * seen from outside, of a mirrored object to the right. */
+/* Where a contour runs through such a triangle. As seen from outside, the side that shows its front
+ * is on the left; on a mirrored object it is on the right. */
 typedef struct ContourCrossing {
-    la_uint p, q;          /* vertices, on the surface; the next ones are lifted off it */
-    la_uint before, after; /* the silhouettes that end and begin there; LA_NO_SILHOUETTE */
+    la_uint p, q;          /* vertices on the surface; the next vertex is each one lifted off it */
+    la_uint before, after; /* the silhouettes that end at p and begin at q, or LA_NO_SILHOUETTE */
     la_uint underside;     /* 1: it is seen from the back of its surface */
 } ContourCrossing;
 
@@ -67,23 +67,24 @@ typedef struct ContourParameters {
                              contour_places silhouettes */
     la_uint first_vertex; /* of places: four for each silhouette */
     la_uint first_number; /* of contours */
-    la_uint contours;     /* the first candidate of them */
+    la_uint contours;     /* the first candidate that is a contour */
     la_uint first;        /* of contour_places: in the segment table, of candidates */
-    la_uint on_surface; /* of contour_places: contours are drawn there, not where they are lifted */
-    la_vec4 eye;        /* as in FacingParameters */
+    la_uint on_surface;   /* of contour_places: 1: contours are drawn on the surface, not where they
+                             are lifted */
+    la_vec4 eye;          /* as in FacingParameters */
 } ContourParameters;
 
 /* Candidates by edges of the mesh come first, then those that contours stand for, then contours.
  * Those in the middle are never silhouettes, and `numbers` leaves them out. */
 typedef struct SilhouetteParameters {
-    la_uint count;    /* candidates before those in the middle; of silhouette_list all others too */
-    la_uint first;    /* candidate in the segment table */
+    la_uint count; /* candidates before those in the middle; for silhouette_list all candidates */
+    la_uint first; /* candidate in the segment table */
     la_uint replaced; /* the first in the middle; `count` where there are no contours */
-    la_uint contours; /* the first of them; no candidate's number where there are none */
+    la_uint contours; /* the first contour; without contours a number that no candidate has */
 } SilhouetteParameters;
 
 typedef struct ChainParameters {
-    la_uint count;    /* silhouettes, of chain_jump their ways */
+    la_uint count;    /* silhouettes; for chain_jump their ways */
     la_uint first;    /* candidate in the segment table */
     la_uint step;     /* of chain_jump, from 0 */
     la_vec4 eye;      /* as in FacingParameters */

@@ -11,7 +11,7 @@ FUNCTION float4 transform_point(const Matrix m, const float3 v) {
 }
 
 /* Liang-Barsky against one plane, given the signed distances of both ends to it (>= 0: inside).
- * range: clip parameters so far, nothing is left if x is not below y. */
+ * range: clip parameters so far. Nothing is left of the segment if x is not below y. */
 FUNCTION float2 clip_plane(const float2 range, const float dp, const float dq) {
     if (dp < 0.0f && dq < 0.0f) return float2(1.0f, 0.0f);
     float2 left = range;
@@ -36,8 +36,9 @@ FUNCTION float3 face_normal(const float3 a, const float3 b, const float3 c) {
     return float3(ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x);
 }
 
-/* Whether a triangle shows its front to the eye, which is homogeneous. Without square roots, which
- * devices round as they like; where squares are too small for a float, its sign alone says it. */
+/* True if a triangle shows its front to the eye, given in homogeneous coordinates. There are no
+ * square roots, because devices round these as they like. If the squares are too small for a float,
+ * the sign of `rise` decides alone. */
 FUNCTION bool faces_eye(const float3 a, const float3 b, const float3 c, const float4 eye) {
     const float3 n = face_normal(a, b, c);
     const float3 to_eye = xyz(eye) - a * eye.w;
@@ -58,16 +59,16 @@ FUNCTION uint farthest_corner(const float3 a, const float3 b, const float3 c, co
     return at_a > at_b && at_a > at_c ? 0u : at_b > at_c ? 1u : 2u;
 }
 
-/* The same description of a face within which its line runs. */
+/* The description of a face, changed to say that the line runs within the face. */
 FUNCTION uint within_own_face(const uint description) {
     return (description & 0x0000FFFFu) | (as_uint(LA_BOTH_SIDES) & 0xFFFF0000u);
 }
 
-/* What a face looks like beside its line on the screen, so that a probe can recognise it: the
- * change of window depth per pixel across the line (to the left), and the height of the third
- * corner above the line in pixels, positive to the left. Each is cut to the upper half of a float.
- * p and q are the ends of the line in clip space, `across` is the unit vector to its left; a, b and
- * c are the face's corners, `third` the one that is not on the line. */
+/* Describes how a face looks beside its line on the screen, so that a probe can recognise the face.
+ * Two numbers are kept, each as the upper half of a float: the change of window depth per pixel
+ * across the line (to the left), and the height of the third corner above the line in pixels,
+ * positive to the left. p and q are the ends of the line in clip space, `across` is the unit vector
+ * to its left; a, b and c are the face's corners, `third` the one that is not on the line. */
 FUNCTION uint describe_own_face(const float3 a, const float3 b, const float3 c, const float3 third,
                                 const float4 p, const float4 q, const float2 across,
                                 const float length_px, const Matrix clip_from_world,
@@ -80,8 +81,9 @@ FUNCTION uint describe_own_face(const float3 a, const float3 b, const float3 c, 
     const float y = (n.x * m.y.x + n.y * m.y.y) + (n.z * m.y.z + nw * m.y.w);
     const float z = (n.x * m.z.x + n.y * m.z.y) + (n.z * m.z.z + nw * m.z.w);
     const float slope = -(x / viewport.x * across.x + y / viewport.y * across.y) / z;
-    /* The corner's side is the sign of a determinant that stays right where the corner is behind
-     * the eye; there, and at the eye plane, the face reaches as far as can be. */
+    /* The side of the corner is the sign of a determinant, which stays right if the corner is
+     * behind the eye. For such a corner, or one at the eye plane, the face reaches as far as can
+     * be. */
     const float4 r = transform_point(clip_from_world, third);
     const float det = ((p.y * q.w - p.w * q.y) * r.x + (p.w * q.x - p.x * q.w) * r.y) +
                       (p.x * q.y - p.y * q.x) * r.w;
@@ -92,8 +94,8 @@ FUNCTION uint describe_own_face(const float3 a, const float3 b, const float3 c, 
     return (as_uint(kept_slope) >> 16) | (as_uint(kept_height) & 0xFFFF0000u);
 }
 
-/* How far before the line a probe may take what it sees for this own face (is_own_face in
- * spine.h), in window depth. reach: pixels between the line and the centre of any texel that is
+/* How far before the line, in window depth, a probe may still take what it sees for this own face
+ * (is_own_face in spine.h). reach: pixels between the line and the centre of any texel that is
  * probed. */
 FUNCTION float own_depth(const uint bits, const float reach, const float before) {
     const float slope = fabs(as_float(bits << 16));
@@ -102,10 +104,10 @@ FUNCTION float own_depth(const uint bits, const float reach, const float before)
     return fmin(slope * reach, fmax(within, LA_OWN_FACE_REACH * before));
 }
 
-/* Whether every probe of every sample of a clipped segment is sure to be blocked: in no tile of the
- * depth pyramid that a probe can touch is there a texel as far away as the line less all
- * tolerances. p, d: window position in pixels and depth of one end, and the way to the other.
- * nearest_w: the smaller w of the two; tolerance: in window depth, times w. */
+/* True if every probe of every sample of a clipped segment is sure to be blocked: no tile of the
+ * depth pyramid that a probe can touch has a texel as far away as the line less all tolerances. p,
+ * d: window position in pixels and depth of one end, and the way to the other. nearest_w: the
+ * smaller w of the two; tolerance: in window depth, times w. */
 FUNCTION bool is_hidden(TABLE_ARGUMENT(float, tiles) const float3 p, const float3 d,
                         const float nearest_w, const uint own_a, const uint own_b,
                         const float depth_scale, const float tolerance, const int2 tile_count) {
@@ -127,7 +129,7 @@ FUNCTION bool is_hidden(TABLE_ARGUMENT(float, tiles) const float3 p, const float
         const float nearest = fmin(a.z, b.z) - margin;
         const float2 low = (fmin(xy(a), xy(b)) - reach) * (1.0f / LA_TILE);
         const float2 high = (fmax(xy(a), xy(b)) + reach) * (1.0f / LA_TILE);
-        /* Towards zero: what lies below it is clamped to the first tile either way. */
+        /* Rounding is towards zero: values below zero are clamped to the first tile either way. */
         const int2 first = clamp(convert_int2(low), int2(0, 0), tile_count - 1);
         const int2 last = clamp(convert_int2(high), int2(0, 0), tile_count - 1);
         for (int y = first.y; y <= last.y; ++y) {

@@ -2,13 +2,12 @@
  *
  * Writes the maximal visible runs of every segment, with all data that the stroke pass needs, and
  * the indirect draw record. Two steps with the `scan` stage between them: count per block, then
- * write
- * from the block's offset. One work-item per block of neighbouring segments. */
+ * write from the block's offset. One work-item per block of neighbouring segments. */
 
 #include "kernels.h"
 #include "run.h"
 
-/* Whether a sample belongs in a run: of visible ones, or of hidden ones. */
+/* True if a sample belongs in a run: of visible samples if hidden is 0, else of hidden samples. */
 static bool wanted(const uchar alpha, const uint hidden) {
     return (alpha == 0) == (hidden != 0);
 }
@@ -20,9 +19,9 @@ static uint run_end(__global const uchar* alpha, const uint a, const uint l, con
     return end;
 }
 
-/* counts[b]: runs in block b of `block` segments, of visible samples or, with hidden 1, of hidden
- * ones; a segment that was dropped as hidden whole is one run then. A segment beyond the atlas has
- * none. */
+/* counts[b]: runs in block b of `block` segments. Runs are of visible samples, or of hidden ones if
+ * hidden is 1. Then a segment that was dropped because all of it is hidden is one run. A segment
+ * beyond the atlas has no runs. */
 KERNEL(compact_count, CompactParameters) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * args.block;
@@ -70,7 +69,8 @@ KERNEL(compact_write, CompactParameters) {
         for (uint a = 0; a < l; ++a) {
             if (!wanted(own[a], args.hidden)) continue;
             const uint end = run_end(own, a, l, args.hidden);
-            /* A run fades out half a sample beyond its last one: alpha is interpolated. */
+            /* A run fades out half a sample beyond its last sample, because alpha is interpolated.
+             */
             const float start_sample = a == 0 ? 0.0f : (float)a - 0.5f;
             const float end_sample = end == l ? (float)l : (float)end + 0.5f;
             write_run(frame, i, start_sample, end_sample, s, l, 0, runs + next++);

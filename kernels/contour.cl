@@ -19,7 +19,8 @@ static float dot_of(const float3 a, const float3 b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-/* How much a corner faces the eye: above 0 if it shows its front. A tip does not say. */
+/* How much a corner faces the eye: above 0 if it shows its front. TIP_FACING for a tip, which has
+ * no normal. */
 #define TIP_FACING 3.0e38f
 static float facing_of(const float3 at, const float3 normal, const float4 eye) {
     if (dot_of(normal, normal) == 0.0f) return TIP_FACING;
@@ -27,8 +28,8 @@ static float facing_of(const float3 at, const float3 normal, const float4 eye) {
     return dot_of(normal, to_eye) - LA_EDGE_ON * sqrt(dot_of(to_eye, to_eye));
 }
 
-/* How the corners of a triangle face the eye. A tip does as the next corner: what crosses the side
- * across runs into the tip. Returns which corner is a tip, or 3. */
+/* How the corners of a triangle face the eye. A tip takes the value of the next corner, so that a
+ * contour across the opposite side runs into the tip. Returns which corner is a tip, or 3. */
 static uint facing_at(__global const uint* own, __global const float* facing, float* faces_eye) {
     const float a = facing[own[0]], b = facing[own[1]], c = facing[own[2]];
     const uint tip = a == TIP_FACING ? 0u : b == TIP_FACING ? 1u : c == TIP_FACING ? 2u : 3u;
@@ -52,8 +53,8 @@ static bool faces_front(const uint face, __global const uchar* front) {
     return (front[face & LA_FACE_INDEX] ^ flipped) != 0;
 }
 
-/* Whether a triangle's corners run about it against the normal there, as those of a mirrored object
- * do: what `facing` takes for its front is its back. */
+/* True if a triangle's corners run round it against its normal, as on a mirrored object. `facing`
+ * takes the back of such a triangle for its front. */
 static bool is_mirrored(const uint face, const float3 normal, __global const uint* triangles,
                         __global const float* vertices) {
     __global const uint* corner = triangles + 3 * (face & LA_FACE_INDEX);
@@ -62,8 +63,8 @@ static bool is_mirrored(const uint face, const float3 normal, __global const uin
     return dot_of(across(b - a, c - a), normal) < 0.0f;
 }
 
-/* Whether the line along a border, whose ends have these normals together, is hidden by its own
- * faces, so that it is seen up to that end of the edge whose surface shows its front. */
+/* True if its own faces hide the line along a border. Then the line is seen only up to that end of
+ * the edge at which the surface shows its front. normals: the sum of the normals at both ends. */
 static bool turns_away(__global const ContourEdge* edge, const float3 normals,
                        __global const uint* triangles, __global const float* vertices,
                        __global const uchar* front) {
@@ -83,9 +84,9 @@ static float twice_arc_of(const float tangent) {
     return 2.0f * (tangent > 1.0f ? QUARTER_TURN - arc : arc);
 }
 
-/* Normals anew, of a model whose shape has changed: those of the triangles about a corner, by the
- * angles that they have there. places: of corner i those from offsets[i] up to offsets[i + 1], each
- * one of `triangles`. One work-item per corner. */
+/* Makes the normals of a model anew after its shape has changed: the mean of the normals of the
+ * triangles about a corner, weighted by their angles there. places: those of corner i stand from
+ * offsets[i] up to offsets[i + 1]; each is a place in `triangles`. One work-item per corner. */
 KERNEL(contour_normals, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -103,8 +104,8 @@ KERNEL(contour_normals, CountParameters) {
 }
 
 /* A corner's normal where its object has moved to. turns: for every object the three rows of
- * normal_turn() in host/core/objects.hpp. objects: of vertices. What is as long as it should be
- * stays so, bit by bit. One work-item per corner. */
+ * normal_turn() in host/core/objects.hpp. objects: the object of every vertex. A normal whose
+ * length is right stays as it is, bit by bit. One work-item per corner. */
 KERNEL(contour_turn, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -118,7 +119,8 @@ KERNEL(contour_turn, CountParameters) {
     vstore3(turned, 0, corners[i].normal);
 }
 
-/* How much every corner faces the eye: it is asked by all its edges. One work-item per corner. */
+/* How much every corner faces the eye, computed once for all its triangles. One work-item per
+ * corner. */
 KERNEL(contour_facing, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -126,8 +128,9 @@ KERNEL(contour_facing, ContourParameters) {
                           to_float4(args.eye));
 }
 
-/* How far a triangle's corners lie off its surface's tangents at the others: four times what an arc
- * rises over its chord, and more where normals are no arc's, as of rough triangles. */
+/* How far a triangle's corners lie off the tangents of its surface at the other corners. That is
+ * four times what an arc rises over its chord. It is more if the normals are not those of an arc,
+ * as on rough triangles. */
 static float rise_of(const ContourCorner* own, const float3* at) {
     float most = 0.0f;
     for (uint k = 0; k < 3; ++k) {
@@ -139,9 +142,8 @@ static float rise_of(const ContourCorner* own, const float3* at) {
     return most;
 }
 
-/* Lifted off what nobody designed a contour comes nearer to the eye, too, by so many longest sides
- * of its triangle: what lies so near before it on its own surface is rough, and does not hide it.
- */
+/* On undesigned surfaces a lifted contour also comes nearer to the eye, by this many longest sides
+ * of its triangle. A surface so near before its own contour is only rough and does not hide it. */
 #define NEARER_SIDES 0.5f
 static float3 way_nearer(const float3* at, const float4 eye) {
     float longest = 0.0f;
@@ -153,9 +155,9 @@ static float3 way_nearer(const float3* at, const float4 eye) {
     return unit_of(to_eye) * (NEARER_SIDES * sqrt(longest));
 }
 
-/* Where a contour crosses the edge between two corners that differ in how they face the eye: the
- * place, and the same lifted, and moved on by `nearer`. edge: a border's triangles; null: the
- * surface goes on there. */
+/* Writes where a contour crosses the edge between two corners that face the eye differently: the
+ * place, and the same place lifted and moved on by `nearer`. edge: the triangles at a border; null:
+ * the surface goes on there. */
 static void put_places(const ContourCorner* from, const ContourCorner* to, const float at_a,
                        const float at_b, __global const ContourEdge* edge,
                        __global const uint* triangles, __global const uchar* front,
@@ -167,7 +169,7 @@ static void put_places(const ContourCorner* from, const ContourCorner* to, const
     const float3 way = b - a;
     const float rise_a = dot_of(way, normal_a), rise_b = dot_of(way, normal_b);
     float3 place = a + way * t;
-    /* The cubic less the chord: its inner points are moved by a third of these. */
+    /* The cubic less the chord. Its inner control points are moved by a third of the rises. */
     if (edge == 0)
         place += (normal_b * (rise_b * t) - normal_a * (rise_a * s)) * (s * t);
     else if (turns_away(edge, normal_a + normal_b, triangles, vertices, front))
@@ -177,18 +179,19 @@ static void put_places(const ContourCorner* from, const ContourCorner* to, const
     vstore3(place + normal * lift + nearer, vertex + 1, vertices);
 }
 
-/* The tip that a contour runs into: it is not lifted, for it is the end. */
+/* Writes the tip that a contour runs into. The tip is not lifted, because the contour ends there.
+ */
 static void put_tip(const float3 place, const uint vertex, __global float* vertices) {
     vstore3(place, vertex, vertices);
     vstore3(place, vertex + 1, vertices);
 }
 
-/* Whether the surface turns its front away from the eye as it comes nearer along the triangle with
- * these corners, by how much they face the eye: then a contour is seen from the back, and of a
- * solid not at all (its radial curvature is negative: Koenderink 1984, "What does the occluding
- * contour tell us about solid shape?"). tip: which corner is one. */
+/* True if the surface turns its front away from the eye where it comes nearer along the triangle:
+ * its radial curvature is negative (Koenderink 1984, "What does the occluding contour tell us about
+ * solid shape?"). Such a contour is seen from the back; on a solid it is not seen at all. corners:
+ * how much each corner faces the eye. tip: which corner is a tip. */
 static bool shows_back(const float3* at, const float* corners, const uint tip, const float4 eye) {
-    /* Along the lines to a tip nothing changes. */
+    /* Facing is constant along lines to a tip. */
     float facing[3];
     for (uint k = 0; k < 3; ++k)
         facing[k] = k == tip ? 0.5f * (corners[k == 0 ? 2 : k - 1] + corners[k == 2 ? 0 : k + 1])
@@ -202,8 +205,8 @@ static bool shows_back(const float3* at, const float* corners, const uint tip, c
            0.0f;
 }
 
-/* numbers: of a triangle 1 if a contour crosses it, else 0, behind those of other candidates.
- * face_corners: three each. One work-item per triangle. */
+/* numbers: for each triangle 1 if a contour crosses it, else 0. They stand behind the numbers of
+ * other candidates. face_corners: three per triangle. One work-item per triangle. */
 KERNEL(contour_cross, ContourParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -214,8 +217,8 @@ KERNEL(contour_cross, ContourParameters) {
     numbers[args.first_number + i] = fronts == 1 || fronts == 2 ? 1u : 0u;
 }
 
-/* Where contours cross triangles; of two beside an edge that one finds the place which runs with
- * it. numbers: of `silhouette`. One work-item per silhouette. */
+/* Finds where contours cross triangles. Of the two triangles beside an edge, the one that the edge
+ * runs with finds the place on it. numbers: those of `silhouette`. One work-item per silhouette. */
 KERNEL(contour_places, ContourParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count || chosen[n] < args.contours) return;
@@ -235,11 +238,12 @@ KERNEL(contour_places, ContourParameters) {
     float3 nearer = 0.0f;
     if ((segments[args.first + chosen[n]].tag & LA_TAG_UNDESIGNED) != 0)
         nearer = way_nearer(at, to_float4(args.eye));
-    /* `visible` takes the other way from there. */
+    /* `visible` lifts such a contour to the other side. */
     if (crossing.underside != 0 && args.on_surface != 0) nearer = nearer * -1.0f;
     for (uint k = 0; k < 3; ++k) {
         const uint next = k == 2 ? 0 : k + 1;
-        const bool falls = faces_eye[k] >= 0.0f; /* there it is p, beyond the edge q */
+        const bool falls = faces_eye[k] >= 0.0f; /* this crossing is p here, and q of the triangle
+                                                    beyond the edge */
         if (falls == (faces_eye[next] >= 0.0f)) continue;
         const bool at_tip = k == tip || next == tip;
         const uint across = at_tip ? LA_NO_FACE : face.across[k];

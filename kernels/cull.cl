@@ -16,7 +16,7 @@ KERNEL(cull, CullParameters) {
         visible[i] = 0;
         return;
     }
-    if (box.before_near) { /* its corners don't bound it on the screen */
+    if (box.before_near) { /* the corners of the box do not bound it on the screen */
         visible[i] = 1;
         return;
     }

@@ -10,10 +10,10 @@
 
 #include "kernels.h"
 
-/* Length of the pieces in which a run without samples is added up, pixels. */
+/* A run without samples is added up in pieces of this length, pixels. */
 #define SOLID_STEP 2.0f
 
-/* The base-2 logarithm of x >= 1, linear between powers of two: the same on every device. */
+/* The base-2 logarithm of x >= 1, linear between powers of two. It is the same on every device. */
 static float rough_log2(const float x) {
     const uint bits = as_uint(x);
     return (float)((bits >> 23) - 127u) + (float)(bits & 0x7FFFFFu) * 0x1p-23f;
@@ -27,9 +27,9 @@ static float chance(uint x) {
     return (float)(x >> 8) * 0x1p-24f;
 }
 
-/* Priority of a line in 1/LA_BIN_STEPS of a bin. Paths of 1,000 pixels and more count as long.
- * Chains of silhouettes come and go, and share and part: chance takes all of them alike, or they
- * would flash up. */
+/* Priority of a line in 1/LA_BIN_STEPS of a bin. Paths of 1,000 pixels and more count as equally
+ * long. Chance treats all chains of silhouettes alike: these chains come and go, join and part, and
+ * would flash up otherwise. */
 static uint priority_of(__global const Segment* segments, __global const uint* arcs, const uint i,
                         const Density density) {
     const uint kind = segments[i].tag & LA_TAG_KIND_MASK;
@@ -50,7 +50,7 @@ static uint priority_of(__global const Segment* segments, __global const uint* a
     return min((uint)(priority * (float)most + 0.5f), most);
 }
 
-/* Adds `pixels` of line to one cell; the border's cells take what falls beside the grid. */
+/* Adds `pixels` of line to one cell. Cells at the border take what falls beside the grid. */
 static void add_to_cell(__global uint* grid, const int2 cells, const int x, const int y,
                         const uint priority, const float pixels) {
     const uint units = (uint)(pixels * LA_DENSITY_UNITS_PER_PIXEL + 0.5f);
@@ -72,8 +72,9 @@ static void add_to_cells(__global uint* grid, const int2 cells, const int2 low, 
     add_to_cell(grid, cells, low.x + 1, low.y + 1, priority, sums.w);
 }
 
-/* grid, zero before: drawn length per bin and cell. Sets the priority in the flags of every run.
- * Work-items take runs in turns: how many there are is known on the device alone. */
+/* grid: drawn length per bin and cell, zero before. The kernel also sets the priority in the flags
+ * of every run. Work-items take runs in turns, because only the device knows how many runs there
+ * are. */
 KERNEL(density_lines, DensityParameters) {
     const int2 cells = to_int2(args.cells);
     const uint count = record->points[0];
@@ -121,7 +122,7 @@ KERNEL(density_lines, DensityParameters) {
     }
 }
 
-/* A tent over five neighbours; the border's cells go on beyond it. */
+/* A tent over five neighbours. Beyond the border its cells are repeated. */
 static uint tent(__global const uint* row, const int at, const int stride, const int count) {
     const int last = count - 1;
     return row[max(at - 2, 0) * stride] + 2u * row[max(at - 1, 0) * stride] +
@@ -139,7 +140,7 @@ KERNEL(density_smooth, DensityParameters) {
     smooth[i] = tent(grid + row * cells.x, i - row * cells.x, 1, cells.x);
 }
 
-/* What the limit is multiplied with at a place. focus: centre, radius and falloff. */
+/* The factor of the limit at a place. focus: centre, radius and falloff. */
 static float limit_factor(const float2 place, const float4 focus, const float far_limit) {
     if (!(focus.w > 0.0f)) return 1.0f;
     const float2 away = place - xy(focus);
@@ -148,9 +149,9 @@ static float limit_factor(const float2 place, const float4 focus, const float fa
     return 1.0f + (far_limit - 1.0f) * (t * t * (3.0f - 2.0f * t));
 }
 
-/* The mean over density from `before` to `before + own` of a ramp that falls from 1 at allowed -
- * soft to 0 at allowed + soft. What is drawn of all lines is the ramp's integral: `allowed` at
- * most, and exactly that where there are enough of them. */
+/* The mean of a ramp over densities from `before` to `before + own`. The ramp falls from 1 at
+ * allowed - soft to 0 at allowed + soft. The length that is drawn of all lines is the ramp's
+ * integral: at most `allowed`, and exactly `allowed` if there are enough lines. */
 static float mean_weight(const float before, const float own, const float allowed,
                          const float soft) {
     const float whole = clamp((allowed - soft) - before, 0.0f, own);
@@ -161,7 +162,7 @@ static float mean_weight(const float before, const float own, const float allowe
     return (whole + (to - from) * (((allowed + soft) - middle) / (2.0f * soft))) / own;
 }
 
-/* The limit of a cell, in units of length per cell, as smoothed sums are. */
+/* The limit of a cell, in the units of smoothed sums: length per cell. */
 static float allowed_in(const int x, const int y, const float cell, const float limit,
                         const float4 focus, const float far_limit) {
     const float2 place = (float2((float)x, (float)y) + 0.5f) * cell;
@@ -169,7 +170,8 @@ static float allowed_in(const int x, const int y, const float cell, const float 
            (LA_DENSITY_UNITS_PER_PIXEL * LA_DENSITY_TENT * cell * cell);
 }
 
-/* The most of the excesses about a cell: what is too much there is drawn in all of these cells. */
+/* The largest excess about a cell. Lines that are too many there are drawn in all of these cells.
+ */
 static float excess_about(__global const float* excess, const int2 cells, const int x,
                           const int y) {
     float most = 0.0f;
@@ -179,9 +181,9 @@ static float excess_about(__global const float* excess, const int2 cells, const 
     return most;
 }
 
-/* The tent along the columns, then the weights of every bin: those of more priority come first.
- * drawn: the length that they leave in each cell. again 1: where the first weights left too much,
- * by `excess` of the limit; else that is not read. */
+/* The tent along the columns, then the weights of all bins, those of more priority first. drawn:
+ * the length that the weights leave in each cell. again 1: makes weights anew where the first ones
+ * left too much, by `excess` of the limit. again 0: `excess` is not read. */
 KERNEL(density_weights, DensityParameters) {
     const int2 cells = to_int2(args.cells);
     const float4 focus = to_float4(args.focus);
@@ -206,8 +208,8 @@ KERNEL(density_weights, DensityParameters) {
     drawn[cell] = left;
 }
 
-/* excess: the share of the limit by which the weights leave too much about each cell. The edges of
- * a heap, where there are fewer lines, keep more of them than its middle. */
+/* excess: the share of the limit by which the weights leave too much about each cell. At the edges
+ * of a heap there are fewer lines, and more of them are kept than in its middle. */
 KERNEL(density_excess, DensityParameters) {
     const int2 cells = to_int2(args.cells);
     const float4 focus = to_float4(args.focus);

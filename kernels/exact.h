@@ -4,19 +4,20 @@
  *
  * The rule of what hides what, the same for all lines: a face hides a point of a line if the ray
  * from the eye to the point goes through the face, not before the near plane, and the point lies
- * farther behind the face's plane than `contact`. What is nearer to it touches it: a box and the
- * floor that it stands on, coincident faces, the third face at a corner, and those beside the line
- * itself: a corner that is an end of the line lies in the face exactly. */
+ * farther behind the face's plane than `contact`. A point nearer to the plane touches the face. So
+ * do a box and the floor that it stands on, coincident faces, the third face at a corner, and the
+ * faces beside the line itself. A corner that is an end of the line lies in the face exactly. */
 #ifndef LINEATLAS_EXACT_H
 #define LINEATLAS_EXACT_H
 
 #include "clipping.h"
 #include "kernels.h"
 
-/* Faces flatter to the eye than this (sine) are seen from the edge and hide nothing: which side of
- * them the eye is on is a matter of rounding. */
+/* Faces flatter to the eye than this (sine) are seen from the edge and hide nothing: rounding would
+ * decide which side of them the eye is on. */
 #define EDGE_ON 1e-6f
-/* Depth of faces lower than this on the screen, in pixels, is not taken from there. */
+/* The depth of a face lower than this on the screen, in pixels, is not computed from its place
+ * there. */
 #define LEAST_HEIGHT 0.01f
 /* Rounding of a float, with some to spare. */
 #define FEW_ULPS 5e-7f
@@ -36,25 +37,27 @@ typedef struct Linear {
     float a, b, c;
 } Linear;
 
-/* A face in the coordinates of a tile: inside of the three sides, each in pixels, its nearness, and
- * how wrong that may be at most. */
+/* A face in the coordinates of a tile: its three sides, each as pixels inside of it, its nearness,
+ * and the largest error of the nearness. */
 typedef struct TileFace {
     Linear sides[3];
     Linear nearness;
     float doubt;
 } TileFace;
 
-/* Whether the lists hold all of the frame; if not the host enlarges them and does it again. */
+/* True if the lists hold all of the frame. If they do not, the host enlarges them and does the
+ * frame again. */
 static bool lists_fit(const ExactParameters* args, const uint entries, const uint groups) {
     return entries <= args->entry_capacity && groups <= args->group_capacity;
 }
 
-/* Where there is nothing to do, 0 stands there. */
+/* args->slices, or 1: it is 0 if there is nothing to do. */
 static uint slices_of(const ExactParameters* args) {
     return max(args->slices, 1u);
 }
 
-/* What work-item i has a slice of, and which: a CPU, which has no slices, need not divide. */
+/* What work-item i has a slice of, and which slice. There is no division on a CPU, which has no
+ * slices. */
 static uint sliced(const ExactParameters* args, const uint i) {
     return args->slices > 1u ? i / args->slices : i;
 }
@@ -71,13 +74,13 @@ static float most_in(const Linear f, const float size) {
     return f.c + fmax(f.a, 0.0f) * size + fmax(f.b, 0.0f) * size;
 }
 
-/* What grows towards the eye and is linear on the screen: 1/w, or 1 - z of a parallel view. */
+/* Nearness grows towards the eye and is linear on the screen: 1/w, or 1 - z in a parallel view. */
 static float nearness_of(const ExactParameters* args, const float4 clip) {
     return args->depth_rate > 0.0f ? 1.0f - clip.z : 1.0f / clip.w;
 }
 
-/* How much nearness differs between a plane at distance `reach` from the eye (or that makes this
- * sine with a parallel view) and what touches it from behind. */
+/* The most by which nearness differs between a plane and a point that touches it from behind.
+ * reach: the distance of the plane from the eye, or in a parallel view the sine between them. */
 static float contact_nearness(const ExactParameters* args, const float nearness,
                               const float reach) {
     const float rate = args->depth_rate > 0.0f ? args->depth_rate : nearness;
@@ -90,7 +93,8 @@ static float projection_doubt(const ExactParameters* args, const float nearness)
 }
 
 /* The side through b and c, with the inside to the left of the way from b to c if sign is 1. The
- * nearer corner carries it: both faces of an edge find the same line, bit by bit. */
+ * corner nearer to the tile's origin carries it, so that both faces of an edge find the same line,
+ * bit by bit. */
 static Linear plain_side(const float2 b, const float2 c, const float sign) {
     const float2 way = c - b;
     const float scale = sign / (fabs(way.x) + fabs(way.y));
@@ -107,8 +111,8 @@ typedef struct ClipEnds {
     float4 p, q;
 } ClipEnds;
 
-/* A vertex of a contour, so many times as far off the surface as its lifted one, to the side that
- * it is seen from. */
+/* A vertex of a contour, `times` as far off the surface as its lifted vertex, to the side that it
+ * is seen from. */
 static float3 lifted_vertex(__global const Segment* segment, const uint vertex, const uint lift,
                             const float times, __global const float* vertices) {
     const float3 at = vload3(vertex, vertices), way = vload3(vertex + lift, vertices) - at;
@@ -154,9 +158,9 @@ static Linear scaled(const float3 f, const float sign) {
     return line;
 }
 
-/* Sides of a face that goes through the near plane: right wherever its corners are, for a ray goes
- * through it if it is a sum of the rays to the corners. `near`: inside where what is hit lies
- * beyond the near plane. False if the face is seen from the edge. */
+/* Sides of a face that goes through the near plane. They are right wherever its corners are, for a
+ * ray goes through the face if it is a sum of the rays to the corners. `near`: inside where the ray
+ * hits the face beyond the near plane. Returns false if the face is seen from the edge. */
 static bool crossing_sides(const ExactParameters* args, const uint t,
                            __global const float* vertices, __global const uint* triangles,
                            const float2 origin, Linear* sides, Linear* near) {
@@ -182,7 +186,8 @@ static bool crossing_sides(const ExactParameters* args, const uint t,
     return true;
 }
 
-/* Face t as the tile at `origin` sees it. reach: see contact_nearness. False: it hides nothing. */
+/* Face t as the tile at `origin` sees it. reach: see contact_nearness. Returns false if the face
+ * hides nothing. */
 static bool face_in_tile(const ExactParameters* args, const uint t, const uint kind,
                          const float reach, __global const float* vertices,
                          __global const uint* triangles, __global const float* screen,
@@ -232,7 +237,8 @@ static int4 tiles_of(const ExactParameters* args, const ScreenFace face) {
                 clamp((int)(fmin(face.high[1] * scale, (float)last.y)), 0, last.y));
 }
 
-/* Nearest that a face comes in a tile whose face it is; below 0 if it isn't there after all. */
+/* The greatest nearness of a face within the tile; below 0 if the face is not in the tile after
+ * all. */
 static float nearness_in_tile(const ExactParameters* args, const TileFace* face,
                               const float nearest) {
     const float size = args->tile_size;

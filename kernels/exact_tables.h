@@ -5,7 +5,7 @@
 
 /* A triangle on the screen. */
 typedef struct ScreenFace {
-    float low[2], high[2]; /* the box around what lies beyond the near plane, pixels */
+    float low[2], high[2]; /* the box around its part beyond the near plane, pixels */
     float nearest;         /* its greatest nearness, see nearness_of() */
     la_uint kind;          /* FACE_* */
 } ScreenFace;
@@ -14,10 +14,10 @@ typedef struct ScreenFace {
 typedef struct Entry {
     la_uint face;   /* triangle */
     float nearness; /* the greatest in the tile */
-    la_uint key;    /* by which the list is sorted, or before that the tile (tile_lists.cl) */
+    la_uint key;    /* the key by which the list is sorted; before that the tile (tile_lists.cl) */
 } Entry;
 
-/* By which faces of a tile are sorted. */
+/* Keys by which the faces of a tile are sorted. */
 #define LA_LIST_KEYS 256u
 
 /* Faces of a tile's list that stand together: LA_ENTRY_FLOATS rows of LA_GROUP numbers. */
@@ -33,40 +33,42 @@ typedef struct Entry {
 #define LA_ENTRY_FACE 18u /* the bits of an uint: the triangle */
 #define LA_ENTRY_FLOATS 19u
 #define LA_GROUP_FLOATS (LA_GROUP * LA_ENTRY_FLOATS)
-/* The boxes of groups: the first five of these rows, and the nearest of this and all later groups
- * of the tile. */
+/* The box of a group: the first five of these rows, and the greatest nearness in this and all later
+ * groups of the tile. */
 #define LA_BOX_BEHIND 5u
 #define LA_BOX_FLOATS 6u
 
 typedef struct ExactParameters {
-    la_uint count; /* segments; of surfaces_occluders and surfaces_batches: batches */
+    la_uint count; /* segments; for surfaces_occluders and surfaces_batches: batches */
     la_uint vertex_count, triangle_count;
     la_mat4 clip_from_world;
     la_vec4 eye;      /* homogeneous, as in FacingParameters; a unit vector if its w is 0 */
     la_vec2 viewport; /* pixels */
     la_ivec2 tiles;
     float tile_size; /* pixels */
-    float contact;   /* what is nearer than this to a face touches it; model units */
-    /* Faces are wider by this on the screen, pixels: about the rounding of a position there, so
-     * that no line shines through where one face ends in the middle of another's side. */
+    float contact;   /* a point nearer than this to a face touches it; model units */
+    /* Faces are made wider by this on the screen, in pixels. It is about the rounding of a position
+     * there. Without it lines would shine through where one face ends in the middle of another's
+     * side. */
     float slack;
-    float depth_rate; /* of a parallel view: clip z per model unit; of a perspective one 0 */
-    float rounding;   /* most that rounding changes the depth coordinate in clip space */
+    float depth_rate; /* clip z per model unit in a parallel view; 0 in a perspective view */
+    float rounding;   /* the most by which rounding changes the depth coordinate in clip space */
     la_uint slices;   /* work-items that share the rows of tiles of each triangle */
     la_uint chunk;    /* triangles per work-item of tile_lists */
-    la_uint chunks;   /* of them; 1: counts are of each tile alone */
+    la_uint chunks;   /* chunks of triangles; 1: counts are of each tile alone */
     la_uint entry_capacity, group_capacity, span_capacity;
-    /* The clipped segments are so many ways beside each segment that `seen` lists, see
-     * outline_push; all that is over them hides them. 0: they are the segments. */
+    /* The clipped segments are this many ways beside each segment that `seen` lists, see
+     * outline_push. Every face over such a way hides it. 0: the clipped segments are the segments
+     * themselves. */
     la_uint beside;
-    la_uint lift;    /* from a contour's vertex to the one lifted off its surface; 0: no contours */
-    la_uint batched; /* the first triangles, of whose batches something is known */
-    la_uint
-        keeps_hidden; /* of surfaces_batches: 1: what is hidden is to be looked at all the same */
+    la_uint lift;    /* places from a contour's vertex to the same vertex lifted off its surface; 0:
+                        no contours */
+    la_uint batched; /* number of first triangles whose batches have states */
+    la_uint keeps_hidden; /* for surfaces_batches; 1: hidden batches are looked at all the same */
 } ExactParameters;
 
 typedef struct OutlineParameters {
-    la_uint count; /* segments; of outline_push and outline_push_in: those that are seen */
+    la_uint count; /* segments; for outline_push and outline_push_in those that are seen */
     la_vec2 viewport;
     float reach;      /* pixels from a line to the place beside it */
     float depth;      /* pixels that a body must be deep on the other side of its outline */
@@ -81,7 +83,7 @@ typedef struct OutlineParameters {
 #define LA_OUTLINE_STEPS 2u
 #define LA_OUTLINE_BESIDE 2u
 #define LA_OUTLINE_WITHIN (2u * LA_OUTLINE_STEPS)
-/* How far a body may not be deep towards a corner, in the depth that it must have. */
+/* How far towards a corner a body may lack its depth, as a multiple of that depth. */
 #define LA_OUTLINE_CORNER 3.0f
 
 typedef struct OutlineSamplesParameters {
@@ -90,14 +92,14 @@ typedef struct OutlineSamplesParameters {
     float reach, depth; /* as in OutlineParameters */
     la_ivec2 depth_size;
     float depth_scale; /* depth texels per pixel */
-    la_uint numbered;  /* what is there `numbers` says, else `depth` */
+    la_uint numbered;  /* 1: `numbers` says what is seen; 0: `depth` does */
     la_uint sample_capacity;
     la_uint part_capacity;
 } OutlineSamplesParameters;
 
 typedef struct PensParameters {
     la_uint outlines; /* 0: nothing is outline, and no parts are read */
-    la_uint first;    /* segment that is a silhouette, of the candidate that `origins` says */
+    la_uint first;    /* first segment that is a silhouette; `origins` says of which candidate */
     la_uint run_capacity, drawn_capacity;
 } PensParameters;
 

@@ -10,15 +10,16 @@
 #include "lanes.h"
 #include "meshlet_faces.h"
 
-/* Light adds up linearly, colours are coded for the screen: x to the power of 1 / 2.2, 0 and 1 as
- * they are, between them off by at most 2e-4. Of x^(1/4) that is nearly a parabola. */
+/* Light adds up linearly, but colours are coded for the screen: x to the power of 1 / 2.2. The
+ * result is exact at 0 and 1 and off by at most 2e-4 between them. It is a parabola of x^(1/4),
+ * which the power nearly is. */
 static lanes_float coded(const lanes_float x) {
     const lanes_float one = 1.0f, t = SQUARE_ROOT(SQUARE_ROOT(x));
     const lanes_float bend = ((0.188157f * t - 0.397165f) * t + 0.374439f) * t - 0.976627f;
     return t + t * (one - t) * bend;
 }
 
-/* How bright a face is, whichever way its corners go round: it is seen from the eye's side. */
+/* How bright a face is, seen from the eye's side, whichever way its corners go round. */
 static lanes_float shade_of(const FillColorsParameters* args, const Vector a, const Vector b,
                             const Vector c) {
     const lanes_float none = 0.0f, one = 1.0f;
@@ -41,13 +42,13 @@ static lanes_float shade_of(const FillColorsParameters* args, const Vector a, co
     return coded(fmin(args->ambient + lambert * (1.0f - args->ambient), one));
 }
 
-/* One channel, of a value from 0 to 255. */
+/* One channel, from a value of 0 to 255. */
 static uint rounded(const float value) {
     return (uint)int_of(fmin(fmax(value, 0.0f), 255.0f) + 0.5f);
 }
 
-/* One work-item per cluster. colors: per triangle, alpha 0: none. shaded: the same in the light,
- * opaque. */
+/* One work-item per cluster. colors: one per triangle; alpha 0: none. shaded: the colours in the
+ * light, opaque. */
 KERNEL(fill_colors, FillColorsParameters) {
     const uint cluster = (uint)get_global_id(0);
     if (cluster >= args.count || seen[cluster] == 0) return;
@@ -85,7 +86,7 @@ KERNEL(fill_colors, FillColorsParameters) {
  * cover; premultiplied. */
 KERNEL(fill_pixels, FillPixelsParameters) {
     const uint i = (uint)get_global_id(0);
-    if (args.blocks == 0) return; /* of no picture */
+    if (args.blocks == 0) return; /* there is no picture */
     const int2 size = to_int2(args.size), low = to_int2(args.low), wanted = to_int2(args.wanted);
     const int2 origin = to_int2(args.origin);
     const int y = (int)(i / args.blocks), scale = args.scale;
@@ -96,8 +97,8 @@ KERNEL(fill_pixels, FillPixelsParameters) {
     __global const uint* texels = numbers + first_row + (size_t)(origin.x + low.x * scale);
     __global Color* out = pixels + (size_t)(low.y + y) * (size_t)size.x + (size_t)low.x;
     const uint count = (uint)(scale * scale), half_count = count / 2u;
-    const uint inverse = (65536u + count - 1u) / count; /* of sums below 4096: exact */
-    /* Neighbours mostly show the same triangle. */
+    const uint inverse = (65536u + count - 1u) / count; /* exact for sums below 4096 */
+    /* Neighbouring texels mostly show the same triangle. */
     uint last = LA_NO_FACE;
     Color color = 0;
     for (int x = from; x < to; ++x) {

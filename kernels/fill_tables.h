@@ -1,4 +1,4 @@
-/* What the kernels of `fill` work on; included by kernels.h. */
+/* Tables and scalars of `fill`. Included by kernels.h. */
 #ifndef LINEATLAS_FILL_TABLES_H
 #define LINEATLAS_FILL_TABLES_H
 
@@ -9,19 +9,19 @@ typedef struct FillColorsParameters {
     la_uint count;      /* clusters */
     la_uint has_colors; /* 0: no triangle has a colour, and the table is not read */
     la_uint lit;        /* 0: flat, and what follows the plain colour is not read */
-    la_vec4 plain;      /* of triangles that have none, 0 to 1; the last number is not read */
+    la_vec4 plain;      /* colour of triangles without one, 0 to 1; the last number is not read */
     la_vec4 eye; /* homogeneous: w is 1 for a point, 0 for the direction to a parallel viewer */
     la_mat4 eye_from_normal; /* directions that stand on faces, to eye space */
-    la_vec4 light;           /* direction to it, in eye space, of length 1 */
+    la_vec4 light;           /* direction to the lamp, in eye space, of length 1 */
     float ambient;           /* light that is everywhere, 0 to 1 */
-    float steps;             /* of the shades; 0: smooth */
+    float steps;             /* number of shades; 0: smooth */
 } FillColorsParameters;
 
 typedef struct FillPixelsParameters {
     la_ivec2 size;   /* of `pixels` */
     la_ivec2 low;    /* the first of them that is wanted */
     la_ivec2 wanted; /* and how many are, per axis */
-    la_ivec2 origin; /* where the texels of the first of all pixels begin in `numbers` */
+    la_ivec2 origin; /* where in `numbers` the texels of the first pixel begin */
     la_int row;      /* texels in a row of `numbers` */
     la_int scale;    /* texels per pixel and axis, 1 to 4 */
     la_uint block;   /* pixels of a row per work-item */

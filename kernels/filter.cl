@@ -3,19 +3,19 @@
  * A change never goes from one path to another.
  *
  * It works on intervals of arc length, not on samples: the visible share of the sample at an end
- * says where the end lies, so lengths are exact. One work-item per run; that of a path's first run
- * does the whole path. Three steps: count the resulting runs (and scan the counts), write them, set
- * the visibility of their samples. */
+ * says where the end lies, so lengths are exact. One work-item per run; the one of a path's first
+ * run does the whole path. Three steps: count the resulting runs (and scan the counts), write them,
+ * set the visibility of their samples. */
 
 #include "kernels.h"
 #include "run.h"
 
-/* Nothing is shorter than this, in pixels: rounding of arc lengths. */
+/* Anything shorter than this, in pixels, is rounding of arc lengths. */
 #define SHORTEST 0.01f
 /* Samples that may fade out before an end. */
 #define FADING_SAMPLES 8u
 
-/* What all of it needs; `out` null: only count. */
+/* What all functions here need. `out` null: runs are only counted. */
 typedef struct Work {
     Frame frame;
     __global const Run* runs;
@@ -26,9 +26,9 @@ typedef struct Work {
     uint first, last; /* segments of the path */
     uint first_run, last_run;
     bool seam;   /* the path is closed, and drawn where its last segment meets its first */
-    bool joined; /* and visible there */
+    bool joined; /* and it is visible there */
     float
-        seam_room; /* how far strokes may grow towards the seam: to the middle of what is hidden */
+        seam_room; /* how far strokes may grow towards the seam: to the middle of the hidden part */
     float half_length;
     __global Run* out;
     uint count;
@@ -47,7 +47,7 @@ static float2 segment_span(const Frame frame, const uint i) {
     return float2(start, start + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]));
 }
 
-/* What an end of a run is as an end of a stroke. */
+/* The kind that an end of a run has as an end of a stroke. */
 static uint stroke_end_kind(const uint kind) {
     return kind == LA_END_PATH || kind == LA_END_CLIPPED ? kind : LA_END_HIDDEN;
 }
@@ -63,8 +63,8 @@ static bool has_samples(__global const Run* run) {
     return (run->flags & LA_RUN_SOLID) == 0;
 }
 
-/* The interval of run r. Where visibility ends, the sample there is visible in part: its share says
- * where in it the end lies. */
+/* The interval of run r. Where visibility ends, the sample there is visible in part, and its
+ * visible share says where in the sample the end lies. */
 static Stroke run_interval(const Work* work, const uint r) {
     __global const Run* run = work->runs + r;
     const float2 span = segment_span(work->frame, run->segment);
@@ -99,7 +99,7 @@ static Stroke run_interval(const Work* work, const uint r) {
     return interval;
 }
 
-/* Whether a stroke may go on beyond an end, so that nobody knows how long it is. */
+/* True if a stroke may go on beyond an end. Then its length is not known. */
 static bool is_cut_off(const uint kind) {
     return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
@@ -185,7 +185,8 @@ static float overshoot_start(const Work* work, const uint r, const bool at_end, 
     return end;
 }
 
-/* How far either end of an interval overshoots: never across a gap beside a nearer line. */
+/* Sets how far either end of an interval overshoots. It never overshoots across a gap beside a
+ * nearer line. */
 static void set_overshoot(const Work* work, Stroke* interval, const float most) {
     interval->start_overshoot = interval->end_overshoot = 0.0f;
     if (!(most > 0.0f)) return;
@@ -210,8 +211,8 @@ static void set_overshoot(const Work* work, Stroke* interval, const float most) 
     }
 }
 
-/* Samples of segment i. None if the atlas is too small for them: then the host enlarges it and does
- * the frame again. */
+/* The number of samples of segment i, or 0 if the atlas is too small for them. Then the host
+ * enlarges the atlas and does the frame again. */
 static uint samples_of(const Work* work, const uint i) {
     const uint s = work->frame.offsets[i];
     const uint l = work->frame.offsets[i + 1] - s;
@@ -263,14 +264,15 @@ static void emit_part(Work* work, uint i, const float start, const float end, co
     }
 }
 
-/* Runs for one piece of a stroke. It may reach beyond the path: straight on where that is open, and
- * around where it is closed. i: any segment at or before its start that is connected with it. */
+/* Runs for one piece of a stroke. The piece may reach beyond the path: straight on if the path is
+ * open, and around if it is closed. i: any segment at or before the start of the piece that is
+ * connected with it. */
 static void emit_piece(Work* work, uint i, const float start, const float end, uint start_kind,
                        uint end_kind) {
     if (end - start < SHORTEST) return;
     const Frame frame = work->frame;
     const uint kinds = start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
-    /* A loop without an end: all of it is the middle of its stroke. */
+    /* All of a loop without an end is the middle of its stroke. */
     const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
     const float2 stroke = endless ? float2(-LA_ENDLESS, LA_ENDLESS) : float2(start, end);
     const float around = 2.0f * work->half_length;
@@ -320,7 +322,7 @@ static float2 next_cut(const Work* work, const Stroke interval, const float from
     return next;
 }
 
-/* A stroke to its final length, and the runs of it. */
+/* Gives a stroke its final length and emits its runs. */
 static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
     const Frame frame = work->frame;
     float start = interval.start, end = interval.end;
@@ -335,7 +337,7 @@ static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
     if (end_kind == LA_END_HIDDEN)
         end += interval.last_run == work->last_run ? fmin(end_grow, work->seam_room) : end_grow;
 
-    /* Back to where it starts, and no farther than the path is drawn. */
+    /* Back to the start of the stroke, and no farther than the path is drawn. */
     uint i = work->runs[interval.first_run].segment;
     while (i > work->first && segment_span(frame, i).x > start && goes_on(frame, i - 1)) --i;
     const float drawn_from = segment_span(frame, i).x;
@@ -367,7 +369,7 @@ static void emit(Work* work, const Stroke interval, const StrokeFilter filter) {
         emit_piece(work, i, start, end, start_kind, end_kind);
 }
 
-/* A share from 0 to 1 that looks random but belongs to the path. */
+/* A share from 0 to 1 that looks random and is always the same for a path. */
 static float path_share(const uint path) {
     uint h = path * 0x9E3779B1u;
     h ^= h >> 16;
@@ -376,7 +378,7 @@ static float path_share(const uint path) {
     return (float)(h >> 8) * (1.0f / 16777216.0f);
 }
 
-/* Whether a stroke is long enough to be drawn. Of one that is cut off nobody knows. */
+/* True if a stroke is long enough to be drawn. A stroke that is cut off may be. */
 static bool is_drawn(const Work* work, const Stroke* stroke, const float drop_runs) {
     const uint tag = work->frame.segments[work->first].tag;
     const float length = stroke->end - stroke->start, height = work->frame.viewport.y;
@@ -389,7 +391,7 @@ static bool is_drawn(const Work* work, const Stroke* stroke, const float drop_ru
     return length >= (is_rough ? fmax(drop_runs, LA_LEAST_ROUGH * height) : drop_runs);
 }
 
-/* All strokes of the path whose runs are r to r_end - 1. */
+/* All strokes of the path whose runs are r_first to r_end - 1. */
 static void filter_path(Work* work, const uint r_first, const uint r_end, StrokeFilter filter) {
     const Frame frame = work->frame;
     const uint tag = frame.segments[work->first].tag;
@@ -401,7 +403,7 @@ static void filter_path(Work* work, const uint r_first, const uint r_end, Stroke
                  frame.arcs[work->last + 1] != frame.arcs[work->last] &&
                  frame.arcs[work->first + 1] != frame.arcs[work->first];
 
-    /* What is hidden around the seam. */
+    /* The length that is hidden around the seam. */
     float seam_gap = INFINITY;
     if (work->seam) {
         seam_gap = run_interval(work, r_first).start + 2.0f * work->half_length -
@@ -494,7 +496,7 @@ static uint path_runs_end(const Frame frame, __global const Run* runs, const uin
     return end;
 }
 
-/* Filters the path whose first run is r; nothing for every other run. */
+/* Filters the path whose first run is r. Does nothing for any other run. */
 static void filter_path_of(Work* work, const uint r, const StrokeFilter filter) {
     const uint end =
         path_runs_end(work->frame, work->runs, work->run_count, r, &work->first, &work->last);
@@ -535,16 +537,16 @@ KERNEL(filter_write, FilterParameters) {
     filter_path_of(&work, r, args.filter);
 }
 
-/* The first and last sample that a filtered run lies on; beyond an end of the segment its last
- * sample counts. */
+/* The first and last sample that a filtered run lies on. Beyond an end of the segment the sample at
+ * that end counts. */
 static int2 samples_under(__global const Run* run) {
     const int last = (int)run->samples - 1;
     return int2(clamp((int)floor(run->start_sample - 0.5f), 0, last),
                 clamp((int)floor(run->end_sample - 0.5f) + 1, 0, last));
 }
 
-/* A hidden sample that is drawn now becomes visible. A sample under two runs of a segment is the
- * first one's. */
+/* Makes hidden samples visible that a filtered run draws. A sample under two runs of a segment
+ * belongs to the first of them. */
 KERNEL(filter_show, CountParameters) {
     const uint r = (uint)get_global_id(0);
     if (r >= args.count || r >= filtered_record->points[0] || !has_samples(filtered + r)) return;
@@ -558,8 +560,8 @@ KERNEL(filter_show, CountParameters) {
     }
 }
 
-/* Where visibility ended a partly visible sample is drawn in full: the end of the stroke is cut at
- * its exact place instead. */
+/* Makes partly visible samples at ends of visibility fully visible, because the stroke is cut at
+ * its exact end instead. */
 KERNEL(filter_show_ends, CountParameters) {
     const uint r = (uint)get_global_id(0);
     const uint run_count = record->points[0];

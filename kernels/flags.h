@@ -19,7 +19,7 @@
 #define LA_KIND_TRAIL 12u
 #define LA_KIND_COUNT 13u
 
-/* Kinds of line, in a kind mask: of the shape of a surface, and all that run within faces. */
+/* Kind masks: lines that show the shape of a surface, and all lines that run within faces. */
 #define LA_KINDS_OF_SHAPE (1u << LA_KIND_RIDGE | 1u << LA_KIND_VALLEY)
 #define LA_KINDS_WITHIN (1u << LA_KIND_INTERSECTION | LA_KINDS_OF_SHAPE | 1u << LA_KIND_CENTRE)
 
@@ -32,9 +32,10 @@
 #define LA_TAG_CLOSED 0x200u /* the path is a loop: its last segment continues in its first */
 #define LA_TAG_CONTOUR 0x20u /* of a frame: a silhouette of a smooth surface, see contour.cl */
 #define LA_TAG_SOLID 0x40u   /* of what contours run through: a closed part, wound outwards */
-/* Of the same: a surface that nobody designed, whose triangles are rough. */
+/* The same, for a surface that is undesigned: its triangles are rough. */
 #define LA_TAG_UNDESIGNED 0x400u
-/* Of a frame: a contour that its own part hides; one that is seen from the back of its surface. */
+/* Of a frame: a contour that its own part hides, and a contour that is seen from the back of its
+ * surface. */
 #define LA_TAG_BURIED 0x80u
 #define LA_TAG_UNDERSIDE 0x100u
 #define LA_TAG_LONE 0x10u /* touches no other segment: dropped when sub-pixel (§4.1) */
@@ -66,9 +67,10 @@
 #define LA_RUN_PEN_SHIFT 24u /* which pen draws it, see `pens` */
 #define LA_RUN_PEN_MASK 0xFFu
 
-/* Interval.flags: whether it is visible, what either end is (LA_END_CLIPPED, JOIN, ROUND, HIDDEN:
- * visibility changes, or PATH), and between what visibility changes there; whether it was cut and
- * not sampled, so that its ends are where they are however short it is. */
+/* Interval.flags: whether the interval is visible; what either end is (LA_END_CLIPPED, JOIN, ROUND,
+ * PATH, or HIDDEN where visibility changes); between which places visibility changes there,
+ * LA_CHANGE_*; and whether the interval was cut and not sampled. The ends of a cut interval are
+ * exact however short it is. */
 #define LA_INTERVAL_VISIBLE 1u
 #define LA_INTERVAL_START_SHIFT 1u
 #define LA_INTERVAL_END_SHIFT 4u
@@ -81,8 +83,8 @@
 #define LA_CHANGE_HEAD 2u   /* the segment's start and the middle of its first sample */
 #define LA_CHANGE_TAIL 3u   /* the middle of its last sample and the segment's end */
 
-/* Arc length, either way, of the ends of a stroke that has none: so far away that profiles have
- * their middle value all along. */
+/* Arc length, positive or negative, that stands for the ends of a stroke without ends: so far away
+ * that profiles have their middle value all along. */
 #define LA_ENDLESS 1e9f
 
 #endif

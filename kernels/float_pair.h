@@ -1,6 +1,7 @@
-/* Numbers of twice a float's precision, as the sum of two floats (Dekker 1971, Knuth 1969): double
- * is optional in OpenCL. A pair holds about 48 bits in the range of a float; products below 1e-30
- * lose some of them. Nothing here survives compilers that reorder sums or contract products. */
+/* Numbers of twice a float's precision, as the sum of two floats (Dekker 1971, Knuth 1969), because
+ * double is optional in OpenCL. A pair holds about 48 bits in the range of a float; products below
+ * 1e-30 lose some of them. Nothing here survives compilers that reorder sums or contract products.
+ */
 #ifndef LINEATLAS_FLOAT_PAIR_H
 #define LINEATLAS_FLOAT_PAIR_H
 
@@ -10,7 +11,7 @@ typedef struct FloatPair {
     float high, low; /* abs(low) is at most half an ulp of high */
 } FloatPair;
 
-/* For abs(high) at least abs(low). */
+/* high + low as a pair; abs(high) is at least abs(low). */
 static FloatPair normal_pair(const float high, const float low) {
     FloatPair sum;
     sum.high = high + low;
@@ -77,8 +78,8 @@ static FloatPair pair_minor(const FloatPair a, const FloatPair b, const FloatPai
     return subtract_pairs(multiply_pairs(a, d), multiply_pairs(b, c));
 }
 
-/* a . (b x c): six times the volume between them. Changes its sign alone, bit by bit, when b and c
- * change places. */
+/* a . (b x c), six times the volume of the tetrahedron between them. If b and c change places, the
+ * result changes its sign and no other bit. */
 static float pair_determinant(const PairVector a, const PairVector b, const PairVector c) {
     const FloatPair x = multiply_pairs(a.x, pair_minor(b.y, b.z, c.y, c.z));
     const FloatPair y = multiply_pairs(a.y, pair_minor(b.z, b.x, c.z, c.x));

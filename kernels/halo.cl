@@ -12,17 +12,18 @@
 #include "kernels.h"
 #include "run.h"
 
-/* Tiles are found with this many pixels to spare, more than rounding can take away. */
+/* Pixels to spare when tiles are found, more than rounding can take away. */
 #define SLACK 0.125f
 #define BEYOND_PICTURE 1e9f
-/* Depths are compared roughly first, with more to spare than rounding can take away. */
+/* Depth to spare in the first, rough comparison, more than rounding can take away. */
 #define DEPTH_SLACK 2e-6f
 
 #define LANES HALO_LANES
 #include "lanes.h"
 
-/* What a tile's list holds of a run: its ends, lengthened, and their depths in a table each, and
- * its index. Each table has room for HALO_LANES more: rows are read beyond a list's end. */
+/* The lists of tiles, a table per number: the ends of a run, lengthened, their depths, and the
+ * run's index. Each table has room for HALO_LANES more, because rows are read beyond a list's end.
+ */
 typedef struct Lists {
     __global float *x0, *y0, *x1, *y1, *depth0, *depth1;
     __global uint* run;
@@ -48,7 +49,8 @@ static float length_of(const float2 way) {
     return sqrt(way.x * way.x + way.y * way.y);
 }
 
-/* Both ends of a run, lengthened by so many pixels. Its own length must be above 0. */
+/* Both ends of a run that is lengthened by so many pixels at either end. The run's own length must
+ * be above 0. */
 static float4 lengthened(__global const Run* run, const float at_start, const float at_end) {
     const float2 way = run_way(run);
     const float2 along = way / length_of(way);
@@ -61,14 +63,14 @@ static int tile_of(const float pixels, const int count) {
     return clamp(convert_int_rtn(pixels * (1.0f / LA_HALO_TILE)), 0, count - 1);
 }
 
-/* The first and last row of tiles that a line passes. What lies outside the picture belongs to the
- * tiles at its border. */
+/* The first and last row of tiles that a line passes. Parts outside the picture belong to the tiles
+ * at its border. */
 static int2 rows_of(const float4 line, const int2 tiles) {
     return int2(tile_of(fmin(line.y, line.w) - SLACK, tiles.y),
                 tile_of(fmax(line.y, line.w) + SLACK, tiles.y));
 }
 
-/* The first and last tile of a row that it passes. */
+/* The first and last tile of a row that a line passes. */
 static int2 columns_of(const float4 line, const int row, const int2 tiles) {
     const float2 way = zw(line) - xy(line);
     float u0 = 0.0f, u1 = 1.0f;
@@ -91,7 +93,7 @@ static bool has_length(__global const Run* run) {
     return way.x != 0.0f || way.y != 0.0f;
 }
 
-/* counts[t], zero before: runs that pass tile t. */
+/* counts[t]: runs that pass tile t, zero before. */
 KERNEL(halo_count, HaloParameters) {
     const int2 tiles = to_int2(args.tiles);
     const uint count = record->points[0];
@@ -106,8 +108,9 @@ KERNEL(halo_count, HaloParameters) {
     }
 }
 
-/* Window depths at both ends of a run lengthened by LA_HALO_REACH_OVER; on the line between them it
- * is nowhere farther away than it counts as, which is its end's depth beyond an end. */
+/* Window depths at both ends of a run that is lengthened by LA_HALO_REACH_OVER. Beyond its ends a
+ * run counts as deep as its end is. The line between the two depths is nowhere farther away than
+ * that. */
 static float2 nearest_depths(__global const Run* run) {
     const float2 own = float2(run->start_depth, run->end_depth);
     const float length = length_of(run_way(run));
@@ -117,8 +120,8 @@ static float2 nearest_depths(__global const Run* run) {
     return float2(own.x - over, own.y + over) - fabs(over);
 }
 
-/* ends[t]: where the list of tile t starts; afterwards where it ends, which is where the next one
- * starts. */
+/* ends[t]: where the list of tile t starts. The kernel changes it to where the list ends and the
+ * next one starts. */
 KERNEL(halo_fill, HaloParameters) {
     const int2 tiles = to_int2(args.tiles);
     const uint count = record->points[0];
@@ -166,16 +169,17 @@ static bool find_crossing(const float4 r, const float length_r, const float4 c, 
     return true;
 }
 
-/* A run with what is needed of it to test others against it. */
+/* A run, with the numbers that other runs are tested against. */
 typedef struct Subject {
     __global const Run* run;
     float4 line; /* lengthened by `before` at its start */
     float before, length, own_length;
-    float2 farthest; /* depths at the line's two ends before which another may cut it */
+    float2 farthest; /* depths at both ends of `line`; a run before them may cut it */
 } Subject;
 
-/* Which of the lines from k on in the lists cross the subject and may lie far enough before it.
- * Most that cross are its neighbours, at its own depth: they need not be looked at one by one. */
+/* Lanes of the lines, from k on in the lists, that cross the subject and may lie far enough before
+ * it. Most lines that cross it are neighbours at its own depth, which need not be looked at one by
+ * one. */
 static lanes_int may_cut(const Subject subject, const Lists lists, const uint k) {
     const float4 r = subject.line;
     const float2 way_r = zw(r) - xy(r);
@@ -206,7 +210,7 @@ static bool are_neighbours(__global const Segment* segments, const uint i, const
     return apart == 1 || ((a.tag & LA_TAG_CLOSED) != 0 && apart == a.from_start + a.to_end);
 }
 
-/* 1/w at a share of a run's way; linear on the screen along its segment. */
+/* 1/w at a share of a run's way. It is linear on the screen along the segment. */
 static float inverse_w(__global const Run* run, __global const ClippedSegment* segment,
                        const float share) {
     const float sample = run->start_sample + (run->end_sample - run->start_sample) * share;
@@ -215,7 +219,7 @@ static float inverse_w(__global const Run* run, __global const ClippedSegment* s
     return at_p + (1.0f / segment->q[3] - at_p) * u;
 }
 
-/* The LA_MOST_CUTS first of the cuts found, by `from` and then `to`, none twice. */
+/* The first LA_MOST_CUTS of the cuts found, in the order of `from` and then `to`, none twice. */
 typedef struct Cuts {
     float from[LA_MOST_CUTS], to[LA_MOST_CUTS];
     uint count;
@@ -238,7 +242,7 @@ static void add_cut(Cuts* cuts, float from, float to) {
     ++cuts->count;
 }
 
-/* What all runs are tested with. */
+/* The tables and numbers that all runs are tested with. */
 typedef struct Scene {
     __global const Segment* segments;
     __global const ClippedSegment* clipped;
@@ -258,7 +262,7 @@ static void add_cut_of(const Scene scene, const Subject subject, const float4 li
     const float stretch =
         fmin(1.0f / crossing.sine, LA_HALO_STRETCH * LA_HALO_STRETCH * crossing.sine);
     const float half_gap = scene.width * stretch;
-    /* Where lines are dense most of them come too late: their depth need not be looked at. */
+    /* Among dense lines most cuts come too late. Then the depth need not be looked at. */
     if (cuts->count == LA_MOST_CUTS && centre - half_gap > cuts->from[LA_MOST_CUTS - 1]) return;
     __global const Run* other = scene.runs + c;
     const float share = at / subject.own_length;
@@ -298,7 +302,7 @@ static void find_cuts(const Scene scene, __global const Run* run, const int2 til
     const int2 rows = rows_of(subject.line, tiles);
     for (int y = rows.x; y <= rows.y; ++y) {
         const int2 columns = columns_of(subject.line, y, tiles);
-        const int first = y * tiles.x + columns.x; /* lists of neighbours in a row adjoin */
+        const int first = y * tiles.x + columns.x; /* lists of neighbouring tiles in a row adjoin */
         const uint end = ends[y * tiles.x + columns.y];
         for (uint k = first > 0 ? ends[first - 1] : 0; k < end; k += HALO_LANES) {
             const lanes_int crosses = may_cut(subject, lists, k);

@@ -35,7 +35,7 @@ typedef struct Piece {
     bool visible;
 } Piece;
 
-/* The samples of segment i; null if it has none, or they are beyond the atlas. */
+/* The samples of segment i; null if it has no samples or they are beyond the atlas. */
 static __global const uchar* samples_of(const Frame frame, const Atlas atlas, const uint i) {
     const uint s = frame.offsets[i];
     const uint l = frame.offsets[i + 1] - s;
@@ -72,7 +72,7 @@ static uint end_kind(const Frame frame, const uint i, const uint at_end, const u
     return change == LA_CHANGE_NONE ? path_end(frame, i, at_end, &neighbour) : LA_END_HIDDEN;
 }
 
-/* Adds a piece of segment i if such are wanted. out null: only count. */
+/* Adds a piece of segment i if pieces of its visibility are wanted. out null: counts only. */
 static uint put(const Frame frame, const Atlas atlas, const uint i, __global const uchar* samples,
                 const Piece piece, const uint count, __global Interval* out) {
     if ((atlas.wanted & (piece.visible ? 1u : 2u)) == 0) return count;
@@ -93,7 +93,7 @@ static uint put(const Frame frame, const Atlas atlas, const uint i, __global con
 /* The intervals of segment i; returns how many. */
 static uint put_segment(const Frame frame, const Atlas atlas, const uint i,
                         __global Interval* out) {
-    if (frame.arcs[i + 1] == frame.arcs[i]) return 0; /* not in this frame */
+    if (frame.arcs[i + 1] == frame.arcs[i]) return 0; /* the segment is not in this frame */
     __global const uchar* samples = samples_of(frame, atlas, i);
     Piece piece = {0.0f, 1.0f, LA_CHANGE_NONE, LA_CHANGE_NONE, false};
     if (samples == 0) return put(frame, atlas, i, samples, piece, 0, out);
@@ -146,8 +146,8 @@ KERNEL(intervals_count, IntervalsParameters) {
     counts[b] = total;
 }
 
-/* Writes the intervals of every block from its offset on, their places still missing. If they
- * exceed the table, none is written; the host sees the total. */
+/* Writes the intervals of every block from its offset on, without their places. If the intervals
+ * exceed the table, none is written, and the host sees the total. */
 KERNEL(intervals_write, IntervalsParameters) {
     const uint b = (uint)get_global_id(0);
     const uint total = block_offsets[args.blocks];
@@ -170,9 +170,9 @@ typedef struct Line {
     uint least;  /* visibility (of 255) from which on it counts as visible */
 } Line;
 
-/* Whether the line is visible at a position counted in samples: by the probes in a box one pixel
- * wide and long, so that a slanted edge of depth texels counts as the straight one it stands for.
- */
+/* True if the line is visible at a position counted in samples. The probes are those in a box one
+ * pixel wide and long, so that a slanted edge of depth texels counts as the straight edge that it
+ * stands for. */
 static bool shown_at(const Line line, const float sample, const Depth depth) {
     uint visible = 0;
     for (int first = 0; first < PROBES; first += LANES) {

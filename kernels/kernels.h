@@ -1,8 +1,8 @@
-/* Every kernel with its scalars and its tables: the one list that kernels are compiled from, and
- * that launching, comparing, profiling and checking them reads.
+/* Every kernel with its scalars and its tables. Compiling, launching, comparing, profiling and
+ * checking all read this one list.
  *
  * A kernel's scalars are one struct, passed by value. Its tables follow as NAME_tables(in, out,
- * inout, unordered): `in` is only read, `out` only written, `inout` both; what stands in an
+ * inout, unordered): `in` is only read, `out` only written, `inout` both; the elements of an
  * `unordered` one may come in any order. Valid in OpenCL C and in C++ (host/compute/kernels.hpp),
  * where la_vec2 and the like are GLM's. */
 #ifndef LINEATLAS_KERNELS_H
@@ -16,12 +16,12 @@
 /* Lists stay lists: */
 /* clang-format off */
 
-/* For each element of a table. */
+/* For kernels with one work-item per element of a table. */
 typedef struct CountParameters {
     la_uint count;
 } CountParameters;
 
-/* What of a frame most stages read. */
+/* The tables of a frame that most stages read. */
 #define FRAME_TABLES(in) \
     in(Segment, segments) in(ClippedSegment, clipped) in(uint, offsets) in(uint, arcs)
 
@@ -56,13 +56,13 @@ typedef struct FacingParameters {
 #define facing_tables(in, out, inout, unordered) \
     in(float, vertices) in(uint, triangles) out(uchar, front)
 
-/* Neighbours in the table of segments, or of triangles, that are looked at together before any of
- * them is. */
+/* Neighbours in the table of segments, or of triangles. They are looked at together before any of
+ * them is looked at alone. */
 #define LA_BATCH 64u
 typedef struct Batch {
-    float low[3], high[3]; /* the box around them; of segments around the faces beside them too */
+    float low[3], high[3]; /* the box around them; for segments also around the faces beside them */
     la_uint joined[2];     /* bit i % 32 of i / 32: the path of segment i goes on in another batch */
-    float widest;          /* no face among triangles is wider than this; of segments 0 */
+    float widest;          /* no triangle of the batch is wider than this; 0 for segments */
 } Batch;
 /* What is known of a batch in a frame: */
 #define LA_BATCH_SEEN 0u    /* nothing: each of it is to be looked at */
@@ -71,7 +71,7 @@ typedef struct Batch {
 
 /* ProjectClipParameters.hidden: segments that the pyramid shows hidden. */
 #define LA_HIDDEN_SAMPLED 0u /* get samples like all others: there is no pyramid */
-#define LA_HIDDEN_DROPPED 1u /* are left out but for what their neighbours need */
+#define LA_HIDDEN_DROPPED 1u /* are left out, except for what their neighbours need */
 #define LA_HIDDEN_CLIPPED 2u /* are clipped though they get no samples */
 
 typedef struct ProjectClipParameters {
@@ -85,8 +85,8 @@ typedef struct ProjectClipParameters {
     float depth_scale; /* depth texels per pixel */
     float tolerance;   /* window depth that may stand before a line, times w */
     la_uint numbered;  /* 1: own faces are numbers, for probes that know surfaces */
-    la_uint batched;   /* the first segments, of whose batches something is known */
-    float overhang;    /* pixels that centre lines are longer at either end */
+    la_uint batched;   /* number of first segments whose batches have states */
+    float overhang;    /* pixels by which centre lines are longer at either end */
 } ProjectClipParameters;
 #define project_clip_boxes_tables(in, out, inout, unordered) \
     in(Segment, segments) in(float, vertices) in(uint, triangles) out(Batch, batches)
@@ -109,7 +109,7 @@ typedef struct ScanParameters {
 #define scan_tiles_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)
 #define scan_list_tables(in, out, inout, unordered) in(uint, values) out(uint, list)
 
-/* What a probe must know of a view to judge surfaces by their planes; see spine.h. */
+/* What a probe must know of a view to judge surfaces by their planes, see spine.h. */
 typedef struct SurfaceParameters {
     la_uint known;    /* 0: nothing is known but depth, and the tables are not read */
     la_uint parallel; /* 1: of a parallel view */
@@ -119,10 +119,11 @@ typedef struct SurfaceParameters {
 
 typedef struct PlanesParameters {
     la_uint count; /* clusters */
-    /* A point of the world, homogeneous, from its place on the screen (-1 to 1), 1 and nearness. */
+    /* Maps place x and y on the screen (-1 to 1), 1 and nearness to a homogeneous point of the
+     * world. */
     la_mat4 world_from_screen;
-    float contact;       /* what is nearer to a plane than this touches it; world units */
-    la_uint only_seen;   /* 1: of clusters that `seen` names; the others keep what they had */
+    float contact;       /* a point nearer to a plane than this touches it; world units */
+    la_uint only_seen;   /* 1: only of clusters that `seen` names; the others keep what they had */
 } PlanesParameters;
 #define planes_tables(in, out, inout, unordered) \
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
@@ -153,7 +154,7 @@ typedef struct TemporalParameters {
     la_uint capacity; /* samples that the atlas has room for */
     la_uint block;   /* segments per work-item */
     la_uint history; /* LA_HISTORY_* */
-    la_uint first;   /* segment that `chain` has placed; they stand where they do in this frame */
+    la_uint first;   /* the first segment that `chain` has placed in this frame */
 } TemporalParameters;
 #define temporal_tables(in, out, inout, unordered) \
     in(ClippedSegment, clipped) in(uint, offsets) in(uint, offsets_before) in(uchar, before) \
@@ -197,7 +198,7 @@ typedef struct FilterParameters {
 typedef struct HaloParameters {
     la_ivec2 tiles;
     float width;     /* from the middle of the nearer stroke to the end of the gap, pixels */
-    float tolerance; /* as in ProjectClipParameters: a line is nearer if it is so by more */
+    float tolerance; /* as in ProjectClipParameters; a line is nearer if it is so by more than this */
     la_uint total;   /* entries of all lists */
 } HaloParameters;
 #define halo_count_tables(in, out, inout, unordered) \
@@ -253,10 +254,10 @@ typedef struct IntervalsParameters {
 #include "fill_tables.h"
 #include "stroke_tables.h"
 
-/* All of them, in the order of a frame: the stage that the kernel belongs to, which names its file,
- * the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE; `of_tiles`:
- * those of them that need local memory and barriers; `of_numbers`: without NUMBERED and with it;
- * `of_probes`: one for each PROBES_PER_AXIS, with TILED and without. */
+/* All of them, in the order of a frame: the stage that the kernel belongs to and that names its
+ * file, the kernel, and the type of its parameters. `of_sums`: one for each SCAN_SATURATE;
+ * `of_tiles`: those of them that need local memory and barriers; `of_numbers`: without NUMBERED and
+ * with it; `of_probes`: one for each PROBES_PER_AXIS, with TILED and without. */
 #define LA_KERNELS(kernel, of_sums, of_tiles, of_numbers, of_probes) \
     kernel(transform, transform_bounds, CountParameters) \
     kernel(transform, transform, CountParameters) \

@@ -1,10 +1,10 @@
-/* Vectors that do several things of a kernel at once. LANES: how many, 1 on GPUs, else 4, 8 or 16;
- * of those LANES_IN_USE (else all) hold something. Included once by each kernel file that says how
- * many it wants, so there is no guard.
- * LARGEST(x): of lanes that are numbers.
+/* Vectors that do several things of a kernel at once. LANES: how many, 1 on GPUs, else 4, 8 or 16.
+ * If LANES_IN_USE is defined, only so many lanes hold something. Each kernel file that says how
+ * many it wants includes this file once, so there is no guard. LARGEST(x): the largest of the lanes
+ * that are numbers.
  *
- * A comparison of vectors gives -1 for true, of scalars 1; `& 1` serves both. LANE_BITS makes bit k
- * of an uint of what lane k has. */
+ * A comparison of vectors gives -1 for true, of scalars 1; `& 1` serves both. LANE_BITS makes a
+ * uint whose bit k is that of lane k. */
 #if !defined(LANES)
 #error "LANES must be 1, 4, 8 or 16"
 #endif
@@ -45,7 +45,7 @@ typedef int lanes_mask;
 #define COUNT(mask) ((mask)&1)
 #define LANE_BITS(mask) ((uint)((mask)&1))
 #define LARGEST(x) (x)
-/* To the nearest, and to the even one of two. */
+/* To the nearest int, and to the even one if two are as near. */
 #define ROUND_TO_INT(x) convert_int_rte(x)
 #define LOAD_BYTES(from) ((int)*(from))
 #define LOAD_INTS(from) ((int)*(from))

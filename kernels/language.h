@@ -1,7 +1,7 @@
 /* What kernels are written in: OpenCL C 1.2 as far as C++20 can be made to read it too. This is the
- * OpenCL side; host/compute/cpp/opencl_c.hpp says the same things in C++. What differs from plain
- * OpenCL C: vectors are made by `float2(x, y)`, parts of them taken by `xy(v)`, and a kernel is
- * written KERNEL(name, Parameters) { ... }, with its tables listed in kernels.h. */
+ * OpenCL side; host/compute/cpp/opencl_c.hpp says the same things in C++. Three things differ from
+ * plain OpenCL C. Vectors are made by `float2(x, y)`. Parts of vectors are taken by `xy(v)`. A
+ * kernel is written KERNEL(name, Parameters) { ... }, and kernels.h lists its tables. */
 #ifndef LINEATLAS_LANGUAGE_H
 #define LINEATLAS_LANGUAGE_H
 
@@ -10,10 +10,10 @@
 
 typedef uint la_uint;
 typedef int la_int;
-typedef long la_long; /* of 64 bits, which C++'s need not be */
+typedef long la_long; /* 64 bits, which a long of C++ need not have */
 
 /* Vectors in parameters: 4-byte members only, which every compiler lays out alike. They are read
- * whole: rusticl 22.3 cannot index a parameter by what is not constant. */
+ * whole, because rusticl 22.3 cannot index a parameter by a variable. */
 typedef struct la_vec2 {
     float v[2];
 } la_vec2;
@@ -41,9 +41,10 @@ typedef struct la_mat4 {
 #define int4(x, y, z, w) ((int4)(x, y, z, w))
 #define uint2(x, y) ((uint2)(x, y))
 #define FUNCTION static
-/* Inlined always: what is given local memory, in a struct too, since PoCL may lose what other
- * functions write there (host/compute/opencl/quirks.cpp); and what pays where it is compiled for
- * the constants that it is called with, which compilers don't see. */
+/* A function that is always inlined. Functions with local memory among their arguments, or in a
+ * struct among them, must be: PoCL may lose what other functions write there
+ * (host/compute/opencl/quirks.cpp). Others are faster if they are compiled for the constants that
+ * they are called with, which compilers do not see. */
 #define INLINED static inline __attribute__((always_inline))
 #define LA_TYPEDEF(name) typedef struct name name;
 #define float_of(v) ((float)(v))
@@ -52,14 +53,15 @@ typedef struct la_mat4 {
 #define zw(v) ((v).zw)
 #define xyz(v) ((v).xyz)
 
-/* A table among the arguments of a function, and what stands in it. */
+/* A table among the arguments of a function, and its i-th element. */
 #define TABLE_ARGUMENT(type, name) __global const type *name,
 #define TABLE_AT(name, i) name[i]
 
-/* Memory of a work-group: of a single work-item, in kernels launched in groups of one. */
+/* Memory of a work-group. In kernels that are launched in groups of one it belongs to one
+ * work-item. */
 #define LOCAL_TABLE(type, name, count) __local type name[count]
 
-/* The lowest bit that is set, of any. */
+/* The number of the lowest bit that is set; bits is not 0. */
 static uint lowest_bit(const uint bits) {
     return 31u - clz(bits & (0u - bits));
 }

@@ -19,8 +19,7 @@ static Vector chosen(const Vector a, const Vector b, const lanes_mask second) {
     return v;
 }
 
-/* Normal to the triangle. Of two of its edges the product is taken that loses least: the shorter
- * two. */
+/* Normal to the triangle: the cross product of its two shorter edges, which loses least. */
 static Vector normal_of(const Vector a, const Vector b, const Vector c) {
     const Vector ab = difference(b, a), bc = difference(c, b), ca = difference(a, c);
     const lanes_float ab2 = dot_of(ab, ab), bc2 = dot_of(bc, bc), ca2 = dot_of(ca, ca);

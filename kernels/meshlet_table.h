@@ -1,5 +1,6 @@
-/* What `depth` draws clusters from: each with a list of its own vertices, so that they are
- * transformed once, and its triangles as places in that list. Valid as OpenCL C 1.2 and as C++20.
+/* Meshlets: the form in which kernels draw clusters. Each meshlet has a list of its vertices, so
+ * that each vertex is transformed once, and its triangles as places in that list. Valid as OpenCL C
+ * 1.2 and as C++20.
  */
 #ifndef LINEATLAS_MESHLET_TABLE_H
 #define LINEATLAS_MESHLET_TABLE_H
@@ -8,7 +9,7 @@
 
 /* Lists are filled up to a multiple of this: kernels read them in vectors. */
 #define LA_MESHLET_PADDING 16u
-/* Of one meshlet; its triangles count their vertices in bytes. */
+/* The most triangles and vertices of one meshlet. Places in its list of vertices are bytes. */
 #define LA_MESHLET_TRIANGLES 64u
 #define LA_MESHLET_VERTICES (3u * LA_MESHLET_TRIANGLES)
 
@@ -18,9 +19,9 @@ namespace lineatlas {
 
 /* The triangles of the cluster of the same number. */
 typedef struct Meshlet {
-    la_uint vertices;     /* where its list begins, of places in the vertex table */
+    la_uint vertices;     /* where its list begins; the list holds places in the vertex table */
     la_uint vertex_count; /* of the list */
-    la_uint corners;      /* where its three rows begin, of places in that list: first, second and
+    la_uint corners;      /* where its three rows begin: places in that list of first, second and
                              third corners, each row filled up */
     la_uint triangle_count;
 } Meshlet;

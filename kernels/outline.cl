@@ -13,7 +13,7 @@
  * Towards a corner of less than a right angle a body is no longer deep enough. The rest of the
  * segment there is outline like the part before it, if it is no longer than that part and no longer
  * than LA_OUTLINE_CORNER times the wanted depth. So the outline of a wedge of 20 degrees is whole.
- * */
+ */
 
 #include "atlas_samples.h"
 #include "exact.h"
@@ -28,8 +28,8 @@ static bool can_be_outline(const uint tag) {
     return (1u << kind & LA_KINDS_BESIDE) == 0;
 }
 
-/* The way beside a segment, so many pixels to its left and infinitely far away; p[3] is 0 where
- * there is none. */
+/* Writes the way beside a segment, `distance` pixels to its left and infinitely far away. p[3] is 0
+ * if there is none. */
 static void push(const OutlineParameters* args, const float4 p, const float4 q,
                  const float distance, __global ClippedSegment* out) {
     out->p[3] = 0.0f;
@@ -49,7 +49,8 @@ static void push(const OutlineParameters* args, const float4 p, const float4 q,
     out->own_a = out->own_b = LA_NO_FACE;
 }
 
-/* numbers: 1 for a segment that is seen and may be outline, else 0. Scanned, they number these. */
+/* numbers: 1 for a segment that is seen and may be outline, else 0. The scan turns them into
+ * numbers of these segments. */
 KERNEL(outline_seen, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -57,8 +58,8 @@ KERNEL(outline_seen, CountParameters) {
     numbers[i] = seen && can_be_outline(segments[i].tag) ? 1u : 0u;
 }
 
-/* seen: what they number. pushed: of the n-th segment seen the two ways beside it, to its right and
- * to its left. */
+/* seen: the segments that the numbers stand for. pushed: the two ways beside the n-th segment seen,
+ * to its right and to its left. */
 KERNEL(outline_push, OutlineParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;
@@ -70,9 +71,9 @@ KERNEL(outline_push, OutlineParameters) {
     push(&args, ends.p, ends.q, args.reach, out + 1);
 }
 
-/* pushed: where the background is beside the n-th segment seen, LA_OUTLINE_STEPS ways on its other
- * side, first for the background to its right. beside_offsets: of what is seen of the two ways of
- * outline_push. */
+/* pushed: if the background is beside the n-th segment seen, LA_OUTLINE_STEPS ways on the other
+ * side, first for the background to its right. beside_offsets: the offsets of the visible parts of
+ * the two ways of outline_push. */
 KERNEL(outline_push_in, OutlineParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;
@@ -91,9 +92,9 @@ KERNEL(outline_push_in, OutlineParameters) {
     }
 }
 
-/* The parts of the n-th segment seen that have the background beside them and a body on the other
- * side that is deep enough, written if there is a table; how many. corner: the longest end that is
- * not, as a share of the segment. */
+/* Finds the parts of the n-th segment seen that have the background on one side and a deep enough
+ * body on the other. Writes them if there is a table. Returns how many there are. corner: the
+ * longest end without a deep enough body that is still outline, as a share of the segment. */
 static uint find_deep_parts(const uint n, const float corner, __global const uint* beside_offsets,
                             __global const float* beside, __global const uint* within_offsets,
                             __global const float* within, __global float* out) {
@@ -107,7 +108,7 @@ static uint find_deep_parts(const uint n, const float corner, __global const uin
             float at = part.x;
             while (at < part.y) {
                 float end = part.y;
-                for (uint j = first; j < last; ++j) { /* those of both steps, in no order */
+                for (uint j = first; j < last; ++j) { /* parts of both steps, in no order */
                     const float2 thin = vload2(j, within);
                     if (thin.y <= at) continue;
                     end = fmin(end, fmax(thin.x, at));
@@ -153,7 +154,7 @@ KERNEL(outline_parts_write, OutlineParameters) {
                     within_offsets, within, parts + 2 * (size_t)part_offsets[i]);
 }
 
-/* What the frame shows. */
+/* The depth texels or numbers that the frame shows. */
 typedef struct Shown {
     int2 size; /* texels */
     float scale;
@@ -171,7 +172,7 @@ static Shown make_shown(const OutlineSamplesParameters* args, __global const flo
     return shown;
 }
 
-/* Whether nothing is at a place of the window. */
+/* True if nothing is drawn at a place of the window. */
 static bool is_background(const Shown* shown, const float2 place) {
     const int2 texel = clamp(convert_int2_rtn(place * shown->scale), int2(0, 0), shown->size - 1);
     const int index = texel.y * shown->size.x + texel.x;
@@ -179,7 +180,7 @@ static bool is_background(const Shown* shown, const float2 place) {
     return shown->depth[index] >= 1.0f;
 }
 
-/* Whether there is a body beside a place, as deep as it must be; left: a unit vector. */
+/* True if there is a deep enough body beside a place. left: a unit vector. */
 static bool is_deep(const OutlineSamplesParameters* args, const Shown* shown, const float2 place,
                     const float2 left) {
     for (uint k = 0; k < LA_OUTLINE_STEPS; ++k) {
@@ -202,7 +203,8 @@ static bool sample_is_outline(const OutlineSamplesParameters* args, const Shown*
            (is_background(shown, place - off) && is_deep(args, shown, place, left));
 }
 
-/* Parts of segment i, written if there is a table; how many. */
+/* Finds the parts of segment i that are outline. Writes them if there is a table. Returns how many
+ * there are. */
 static uint find_parts(const OutlineSamplesParameters* args, __global const Segment* segments,
                        __global const ClippedSegment* clipped, __global const uint* offsets,
                        const Shown* shown, const uint i, __global float* out) {
@@ -217,7 +219,8 @@ static uint find_parts(const OutlineSamplesParameters* args, __global const Segm
     const float2 left = float2(-way.y, way.x) * (1.0f / length_px);
     const uint corner = (uint)(LA_OUTLINE_CORNER * args->depth * (float)l / length_px);
     uint count = 0, first = l; /* of the part that is open */
-    bool beside_so_far = true; /* the background, from the segment's start on */
+    bool beside_so_far = true; /* the background has been beside the line from the segment's start
+                                  on */
     for (uint k = 0; k <= l; ++k) {
         const float2 place = p + way * (((float)k + 0.5f) / (float)l);
         const bool free = k < l && sample_is_outline(args, shown, place, left);

@@ -7,16 +7,16 @@
 #include "kernels.h"
 #include "run.h"
 
-/* Parts of outline with less than this between them are one, and shorter ones are none unless they
- * are whole segments: within half a pixel of a corner the place beside a line is beside another.
- * Pixels. */
+/* In pixels. Parts of outline with less than this between them are one part. Parts shorter than
+ * this do not count, unless they are whole segments: within half a pixel of a corner the place
+ * beside a line is beside another line. */
 #define LEAST_OUTLINE 2.0f
 
-/* What of a segment is outline; `first` up to `last` in a table that has them in no order. */
+/* The parts of a segment that are outline: `first` up to `last` in a table, in no order. */
 typedef struct OutlineParts {
     __global const float* parts;
     uint first, last;
-    float unit;  /* samples, or the 1 of segments without, per pixel */
+    float unit;  /* samples per pixel; for a segment without samples 1 stands for all of it */
     float whole; /* samples of the segment, or 1 */
 } OutlineParts;
 
@@ -44,7 +44,8 @@ static bool next_part(const OutlineParts table, const float after, float2* part)
     return true;
 }
 
-/* The same of those that count, as far as it goes with what overshoots the segment. */
+/* The next part that counts. A part at an end of the segment goes on with what overshoots that end.
+ */
 static bool next_outline(const OutlineParts table, float after, float2* part) {
     const float least = LEAST_OUTLINE * table.unit;
     while (next_part(table, after, part)) {
@@ -58,7 +59,7 @@ static bool next_outline(const OutlineParts table, float after, float2* part) {
     return false;
 }
 
-/* A pen, and from bit 16 that of the outline. */
+/* The pen of a segment, and from bit 16 on its pen where it is outline. */
 static uint pens_of(const uint segment, const uint first, __global const uint* segment_pens,
                     __global const uint* origins) {
     if (segment < first) return segment_pens[segment];
@@ -78,7 +79,8 @@ static OutlineParts parts_of(const PensParameters* args, __global const Run* run
     return table;
 }
 
-/* Flags of a piece of outline: where lines are dense it is the last to fade, whatever its kind. */
+/* Flags of a piece of outline. Outlines are the last lines that density control fades, whatever
+ * their kind. */
 static uint first_in_density(const uint flags) {
     const uint most = (LA_DENSITY_BINS - 1u) * LA_BIN_STEPS;
     return (flags & ~(LA_RUN_BIN_MASK << LA_RUN_BIN_SHIFT)) | most << LA_RUN_BIN_SHIFT;
@@ -114,7 +116,7 @@ static void write_piece(__global const Run* run, const uint run_flags, const flo
     piece->flags = flags | pen << LA_RUN_PEN_SHIFT;
 }
 
-/* The pieces of a run, written if there is a table; how many. */
+/* Writes the pieces of a run if there is a table. Returns how many there are. */
 static uint divide_run(__global const Run* run, const OutlineParts table, const uint pens,
                        __global Run* out) {
     const uint inner = pens & 0xFFFFu, outline = pens >> 16;
@@ -151,7 +153,8 @@ KERNEL(pens_count, PensParameters) {
     counts[r] = divide_run(runs + r, parts_of(&args, runs + r, pens, part_offsets, parts), pens, 0);
 }
 
-/* The pieces, and their record. If they exceed the table none is drawn; the host enlarges it. */
+/* Writes the pieces and their record. If the pieces exceed the table, none is drawn and the host
+ * enlarges it. */
 KERNEL(pens_write, PensParameters) {
     const uint r = (uint)get_global_id(0);
     const uint total = run_offsets[args.run_capacity];

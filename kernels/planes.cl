@@ -13,16 +13,18 @@
 /* Planes flatter to the eye than this (sine) are seen from the edge: they hide nothing. */
 #define SEEN_FROM_THE_EDGE 1e-6f
 
-/* From point a to what a column of world_from_screen stands for: a point, or a direction. */
+/* The way from point a to the point that a column of world_from_screen stands for, or the direction
+ * that it stands for. */
 static Vector way_to(const float4 column, const Vector a) {
     const Vector v = {column.x - a.x * column.w, column.y - a.y * column.w,
                       column.z - a.z * column.w};
     return v;
 }
 
-/* planes: four numbers a triangle: its nearness at place (x, y) on the screen is the first times x,
- * the second times y and the third; the fourth, times 1/w of a point, is the difference of nearness
- * up to which the point touches the plane. What cannot be told is touched by everything. */
+/* planes: four numbers per triangle. Its nearness at place (x, y) on the screen is the first number
+ * times x, plus the second times y, plus the third. The fourth, times 1/w of a point, is the
+ * difference of nearness up to which the point touches the plane. Everything touches a plane that
+ * cannot be computed. */
 KERNEL(planes, PlanesParameters) {
     const uint cluster = (uint)get_global_id(0);
     if (cluster >= args.count) return;

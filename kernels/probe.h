@@ -1,5 +1,5 @@
-/* Looking at the depth buffer along a segment: what `atlas` and `intervals` share, once each.
- * LANES: how many probes are made at once, see lanes.h. */
+/* Looking at the depth buffer along a segment, for `atlas` and `intervals`, which include this file
+ * once each. LANES: how many probes are made at once, see lanes.h. */
 #include "kernels.h"
 #include "lanes.h"
 
@@ -9,7 +9,8 @@ typedef struct Depth {
     int2 size;
     float scale; /* texels per pixel */
     float tolerance;
-    /* What `planes` and the numbered form of `depth` leave, and what follows from the view. */
+    /* Whether `planes` and the numbered form of `depth` have run, and what follows from the view.
+     */
     bool knows_surfaces, parallel;
     float bend;
     float2 screen_scale, screen_origin; /* from texels to places on the screen, -1 to 1 */
@@ -18,7 +19,7 @@ typedef struct Depth {
     __global const uint* patches;
 } Depth;
 
-/* origin: the first texel in the whole. */
+/* origin: the place of the first texel in the whole depth buffer. */
 static Depth make_depth(__global const float* texels, const int2 size, const int2 origin,
                         const float2 viewport, const float scale, const float tolerance,
                         const SurfaceParameters surfaces, __global const uint* numbers,

@@ -2,9 +2,8 @@
  *
  * project_clip_boxes, project_clip_batches: one work-item per batch of segments. The first runs
  * after the model has changed, the second in every frame. project_clip: one work-item per segment.
- * Every operation
- * is written out in a fixed order without contraction, so that sample counts are equal bit by bit
- * on every device. */
+ * Every operation is written out in a fixed order without contraction, so that sample counts are
+ * equal bit by bit on every device. */
 
 #include "kernels.h"
 
@@ -33,7 +32,7 @@ KERNEL(project_clip_boxes, CountParameters) {
             add_face_to_box(&box, segment.face_a & LA_FACE_INDEX, vertices, triangles);
         if (segment.face_b != LA_NO_FACE)
             add_face_to_box(&box, segment.face_b & LA_FACE_INDEX, vertices, triangles);
-        /* As path_end() in run.h has it. */
+        /* As in path_end() in run.h. */
         const bool closed = (segment.tag & LA_TAG_CLOSED) != 0;
         const uint before = segment.from_start, after = segment.to_end;
         if (((before > 0 || closed) && is_other_batch(i, before > 0 ? i - 1u : i + after)) ||
@@ -47,9 +46,9 @@ KERNEL(project_clip_boxes, CountParameters) {
     batches[b].widest = 0.0f;
 }
 
-/* states: of every batch an LA_BATCH_*. With a pyramid, whose depth must be that of the numbered
- * triangles: a batch is hidden if in no tile that a probe of its segments can touch is there
- * anything as far away as its nearest point, that of its own faces included, less the tolerance. */
+/* states: an LA_BATCH_* for every batch. Only a pyramid over the numbered triangles' depth can hide
+ * batches. A batch is hidden if each tile that a probe of its segments can touch is nearer all over
+ * than the batch's nearest point less the tolerance. The batch's own faces count as parts of it. */
 KERNEL(project_clip_batches, ProjectClipParameters) {
     const uint b = (uint)get_global_id(0);
     if (b * LA_BATCH >= args.batched) return;
@@ -68,7 +67,8 @@ KERNEL(project_clip_batches, ProjectClipParameters) {
         states[b] = LA_BATCH_HIDDEN;
 }
 
-/* describe_own_face() of a face that may be none. within: the line runs through it. */
+/* describe_own_face() of a face, which may be LA_NO_FACE. within: the line runs through the face.
+ */
 static uint own_face(const uint face, const bool within, const uint vertex_p, const uint vertex_q,
                      const float4 p, const float4 q, const float2 across, const float length_px,
                      __global const float* vertices, __global const uint* triangles,
@@ -89,8 +89,8 @@ static uint own_face(const uint face, const bool within, const uint vertex_p, co
     return within ? within_own_face(description) : description;
 }
 
-/* Whether a ridge lies where its surface turns away from the eye: an outline runs beside it, which
- * says the same. The surface is the mean of a few triangles along the path. */
+/* True if a ridge lies where its surface turns away from the eye. An outline runs beside it there
+ * and says the same. The surface is the mean of a few triangles along the path. */
 static bool is_grazing(__global const Segment* segments, const uint i,
                        __global const float* vertices, __global const uint* triangles,
                        const float3 middle, const Matrix world_from_clip) {
@@ -101,7 +101,7 @@ static bool is_grazing(__global const Segment* segments, const uint i,
         n = n + face_normal(vload3(triangles[t], vertices), vload3(triangles[t + 1], vertices),
                             vload3(triangles[t + 2], vertices));
     }
-    /* The eye is what the projection maps to no place of the picture. */
+    /* The eye is the point that the projection maps to no place of the picture. */
     const float4 eye = world_from_clip.z;
     const float3 to_eye = xyz(eye) - middle * eye.w;
     const float rise = (n.x * to_eye.x + n.y * to_eye.y) + n.z * to_eye.z;
@@ -110,8 +110,9 @@ static bool is_grazing(__global const Segment* segments, const uint i,
     return rise * rise < LA_GRAZING * LA_GRAZING * n2 * far2;
 }
 
-/* Whether a centre line is one of this view: an axis unless it is seen end on; a mark, whose face
- * is square to the axis, if it is, from the side that the mark is on. */
+/* True if this view shows a centre line. It shows an axis unless the axis is seen end on. It shows
+ * a centre mark, whose face is square to the axis, if the axis is seen end on from the side of the
+ * mark. */
 static bool is_centre_of_view(const uint face, const bool turned, const float3 p, const float3 q,
                               __global const float* vertices, __global const uint* triangles,
                               const Matrix world_from_clip) {
@@ -131,8 +132,8 @@ static bool is_centre_of_view(const uint face, const bool turned, const float3 p
     return is_mark ? end_on && looks_away == turned : !end_on;
 }
 
-/* The share of a segment that lies `overhang` pixels before its start, below 0, and as far behind
- * its end, above 1. None of one that reaches behind the eye. */
+/* Shares of a segment with its overhang: one below 0, `overhang` pixels before the start, and one
+ * above 1, as far behind the end. A segment that reaches behind the eye has no overhang. */
 static float2 with_overhang(const float4 p, const float4 q, const float2 viewport,
                             const float overhang) {
     const float2 whole = float2(0.0f, 1.0f);
@@ -140,18 +141,19 @@ static float2 with_overhang(const float4 p, const float4 q, const float2 viewpor
     const float2 way = (xy(q) / q.w - xy(p) / p.w) * viewport * 0.5f;
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     if (!(length_px > 0.0f)) return whole;
-    /* Shares of the picture's line as shares of the segment: beyond the horizon there is none. */
+    /* Shares of the line in the picture become shares of the segment. Beyond the horizon there are
+     * none. */
     const float before = -overhang / length_px, behind = 1.0f - before;
     const float w_before = q.w - before * (q.w - p.w), w_behind = q.w - behind * (q.w - p.w);
     return float2(w_before > 0.0f ? before * p.w / w_before : 0.0f,
                   w_behind > 0.0f ? behind * p.w / w_behind : 1.0f);
 }
 
-/* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame.
- * arcs[i]: clipped window length in 1/256 pixels, also of segments that the pyramid shows hidden:
- * the texture of a path must not depend on what hides it. Where nobody asks for lengths whole
- * batches are hidden, whose segments have none. clipped[i] is written where arcs[i] is
- * not 0, but for lone segments that are hidden and to be dropped. */
+/* counts[i]: sample count l (eq. 1); 0 for a segment that is not drawn in this frame. arcs[i]:
+ * clipped window length in 1/256 pixels. Segments that the pyramid shows hidden have one too,
+ * because the texture of a path must not depend on what hides the path. Segments of hidden batches
+ * have none; batches are hidden only if nobody asks for lengths. clipped[i] is written if arcs[i]
+ * is not 0, except for lone segments that are hidden and dropped. */
 KERNEL(project_clip, ProjectClipParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -162,7 +164,8 @@ KERNEL(project_clip, ProjectClipParameters) {
         const uint state = states[b];
         if (state == LA_BATCH_OUTSIDE) return;
         const bool hangs_over = (segments[i].tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE;
-        /* What a path goes on with beyond the batch needs to know where it comes from. */
+        /* If the path goes on in another batch, the segment there needs this one as its neighbour.
+         */
         if (state == LA_BATCH_HIDDEN && !hangs_over &&
             (batches[b].joined[in_batch / 32u] >> in_batch % 32u & 1u) == 0)
             return;
@@ -172,11 +175,12 @@ KERNEL(project_clip, ProjectClipParameters) {
     if ((args.kind_mask & (1u << kind)) == 0) return;
     const uint face_a = segments[i].face_a;
     const uint face_b = segments[i].face_b;
-    const bool contour = (tag & LA_TAG_CONTOUR) != 0; /* then it is one in this frame */
+    const bool contour = (tag & LA_TAG_CONTOUR) != 0; /* then the segment is a silhouette in this
+                                                         frame */
     if (kind == LA_KIND_SILHOUETTE && !contour && !is_silhouette(face_a, face_b, front)) return;
 
     const float3 from = vload3(segments[i].p, vertices), to = vload3(segments[i].q, vertices);
-    if (from.x == to.x && from.y == to.y && from.z == to.z) return; /* of a hidden object */
+    if (from.x == to.x && from.y == to.y && from.z == to.z) return; /* the object is hidden */
     const Matrix clip_from_world = to_matrix(args.clip_from_world);
     const Matrix world_from_clip = to_matrix(args.world_from_clip);
     if (kind == LA_KIND_RIDGE &&

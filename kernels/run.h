@@ -1,4 +1,5 @@
-/* What compact, halo and filter share: making a run of a piece of a segment, and its ends. */
+/* Makes runs of pieces of segments, and finds what their ends are, for `compact`, `halo` and
+ * `filter`. */
 #ifndef LINEATLAS_RUN_H
 #define LINEATLAS_RUN_H
 
@@ -31,18 +32,18 @@ static float2 window_direction(__global const ClippedSegment* segment, const flo
     return length_px > 0.0f ? d / length_px : float2(0.0f, 0.0f);
 }
 
-/* Whether segment i and the one after it in the table are drawn as one line: same path, and no part
- * between them was clipped away. */
+/* True if segment i and the next one in the table are drawn as one line: they are of one path, and
+ * nothing between them was clipped away. */
 static bool goes_on(const Frame frame, const uint i) {
     return frame.segments[i].to_end > 0 && frame.clipped[i].t1 >= 1.0f &&
            frame.arcs[i + 2] != frame.arcs[i + 1] && frame.clipped[i + 1].t0 <= 0.0f;
 }
 
-/* How the end of a segment meets the neighbour that continues its path (§4.5, mitering), of
- * half-width `half_width`: both end on the bisector. `own` and `other` are unit directions along
- * the path, `room` is the length of the shorter of the two. The corner is where the left edges
- * meet, as seen from the spine for half-width 1: 1/cos of half the turn away. Both sides compute it
- * alike, bit by bit, so that each pixel belongs to one. */
+/* How the end of a segment meets the neighbour that continues its path (§4.5, mitering). Both
+ * strokes have half-width `half_width` and end on the bisector. `own` and `other` are unit
+ * directions along the path. `room` is the length of the shorter segment. The corner is where the
+ * left edges meet, as seen from the spine for half-width 1: 1/cos of half the turn away. Both
+ * segments compute it alike, bit by bit, so that each pixel belongs to one of them. */
 static uint join(const float2 own, const float2 other, const float room, const float half_width,
                  float2* corner) {
     const float cosine = own.x * other.x + own.y * other.y;
@@ -65,7 +66,7 @@ static uint path_end(const Frame frame, const uint i, const uint at_end, uint* n
     const bool last = at_end != 0 ? after == 0 : before == 0;
     if (last && (frame.segments[i].tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
     *neighbour = at_end != 0 ? (last ? i - before : i + 1) : (last ? i + after : i - 1);
-    /* Arc lengths, not sample counts: a neighbour that is hidden whole has no samples. */
+    /* Arc lengths decide, because a neighbour that is hidden as a whole has no samples. */
     return frame.arcs[*neighbour + 1] != frame.arcs[*neighbour] ? LA_END_JOIN : LA_END_CLIPPED;
 }
 
@@ -83,7 +84,7 @@ static uint segment_end(const Frame frame, const uint i, const uint at_end, cons
     return join(direction, other, room, frame.half_width, corner);
 }
 
-/* Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly. */
+/* True if an end of run r is no end of visibility: the path ends there, or goes on visibly. */
 static bool shown_across(__global const Segment* segments, __global const Run* runs,
                          const uint run_count, const uint r, const bool at_end) {
     const uint kind =
@@ -129,8 +130,8 @@ typedef struct Place {
     float depth, arc;
 } Place;
 
-/* The place at a position counted in samples of segment i, of which it has `l` or, if it has none,
- * any number in which positions are counted. */
+/* The place at a position on segment i, counted in its `l` samples. If the segment has no samples,
+ * l is the number in which positions are counted. */
 static Place place_at(const Frame frame, const uint i, const float sample, const uint l) {
     const float2 p = window_position(frame.clipped[i].p, frame.viewport);
     const float2 q = window_position(frame.clipped[i].q, frame.viewport);
@@ -138,14 +139,14 @@ static Place place_at(const Frame frame, const uint i, const float sample, const
     const float depth_q = window_depth(frame.clipped[i].q);
     const float u = sample / (float)l;
     Place place;
-    /* Exactly where the next segment starts. */
+    /* This is exactly where the next segment starts. */
     place.position = u == 1.0f ? q : p + (q - p) * u;
     place.depth = depth_p + (depth_q - depth_p) * u;
     place.arc = segment_arc(frame, i) + arc_pixels(frame.arcs[i + 1] - frame.arcs[i]) * u;
     return place;
 }
 
-/* Fills in the places of a run; its flags, corners, stroke and address are the caller's. */
+/* Fills in the places of a run. The caller fills in flags, corners, stroke and address. */
 static void place_run(const Frame frame, const uint i, const float start_sample,
                       const float end_sample, const uint l, __global Run* run) {
     const Place start = place_at(frame, i, start_sample, l);
@@ -162,9 +163,10 @@ static void place_run(const Frame frame, const uint i, const float start_sample,
     run->segment = i;
 }
 
-/* Whether a segment is a path of its own and shorter than a pixel: the thickness of a board. Hidden
- * ones are left out, of a large model they are many and add nothing to the lines that they touch.
- * An edge of a silhouette is a part of a longer line though it has no path. */
+/* True if a segment is a path of its own and shorter than a pixel, such as the thickness of a
+ * board. Hidden dots are left out: a large model has many of them, and they add nothing to the
+ * lines that they touch. Silhouettes do not count as dots, because each is a part of a longer line
+ * though it has no path. */
 static bool is_dot(__global const Segment* segments, __global const uint* arcs, const uint i) {
     return (segments[i].from_start | segments[i].to_end) == 0 &&
            (segments[i].tag & LA_TAG_KIND_MASK) != LA_KIND_SILHOUETTE &&
@@ -202,8 +204,8 @@ static float3 world_point(const Frame frame, const uint i, const float u,
     return p + (q - p) * t;
 }
 
-/* Fills in the places of an interval from `start` to `end`, counted in `l` samples of segment i;
- * the rest is the caller's. */
+/* Fills in the places of an interval from `start` to `end`, counted in `l` samples of segment i.
+ * The caller fills in the rest. */
 static void place_interval(const Frame frame, const uint i, const float start, const float end,
                            const uint l, __global const float* vertices,
                            __global Interval* interval) {

@@ -29,8 +29,8 @@ KERNEL(scan_list, CountParameters) {
 #define SCAN_ADD(a, b) ((uint)(a) + (uint)(b))
 #endif
 
-/* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. Summed in 64
- * bits, which no chunk exceeds: unlike a saturating sum, that is one vector addition for several
+/* Chunks, step 1: sums[c] = sum of chunk c. One work-item per chunk of `chunk` values. The sum has
+ * 64 bits, which no chunk exceeds. Unlike a saturating sum it takes one vector addition for several
  * values. */
 KERNEL(scan_chunks_reduce, ScanParameters) {
     const uint n = args.n, chunk = args.chunk;
@@ -57,8 +57,9 @@ KERNEL(scan_chunks_apply, ScanParameters) {
     const uint begin = min(c * chunk, n);
     const uint end = n - begin < chunk ? n : begin + chunk;
     uint i = begin;
-    /* Where the sum stays below the largest value, the chunk needs no saturation. Four at a time:
-     * each sum waits for the one before it, and so only every fourth addition does. */
+    /* If the sum stays below the largest value, the chunk needs no saturation. Values are taken
+     * four at a time. Each sum waits for the one before it, so only every fourth addition has to
+     * wait. */
     if (!SCAN_SATURATE || SCAN_ADD(sum, sums[c]) != 0xFFFFFFFFu) {
         for (; end - i >= 4; i += 4) {
             const uint v0 = values[i], v1 = values[i + 1], v2 = values[i + 2], v3 = values[i + 3];
@@ -83,8 +84,8 @@ KERNEL(scan_chunks_apply, ScanParameters) {
 #error "SCAN_PER_ITEM must be set with SCAN_TILE: values per work-item"
 #endif
 
-/* Exclusive scan over the work-group of one value per work-item (Hillis and Steele 1986).
- * Returns the sum of the values of the work-items before this one; *total: the sum of all. */
+/* Exclusive scan over a work-group, one value per work-item (Hillis and Steele 1986). Returns the
+ * sum of the values of the work-items before this one. *total: the sum of all values. */
 INLINED uint scan_group(const uint value, __local uint* scratch, uint* total) {
     const uint lane = (uint)get_local_id(0);
     scratch[lane] = value;

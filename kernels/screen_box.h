@@ -7,7 +7,7 @@
 #include "kernels.h"
 
 typedef struct ScreenBox {
-    float3 low, high; /* normalised device coordinates; they don't bound what is before_near */
+    float3 low, high; /* normalised device coordinates; no bounds if before_near */
     bool is_outside;  /* all corners lie beyond one plane of the frustum */
     bool before_near; /* a corner lies before the near plane */
 } ScreenBox;
@@ -35,7 +35,7 @@ static ScreenBox box_on_screen(const Matrix m, __global const Cluster* cluster) 
     return box;
 }
 
-/* Whether the tiles under a rectangle of texels hold nothing as far away as `nearest`. */
+/* True if every tile under a rectangle of texels is nearer all over than `nearest`. */
 static bool tiles_hide(const float2 low, const float2 high, const float nearest,
                        __global const float* tiles, const int2 tile_count) {
     /* Towards zero, as in is_hidden(). */

@@ -28,7 +28,7 @@ typedef struct Segment {
     la_uint tag;        /**< kind and flags, LA_TAG_* */
 } Segment;
 
-/** A corner of triangles of a smooth surface, which have it in common. */
+/** A corner that triangles of one smooth surface have in common. */
 typedef struct ContourCorner {
     la_uint vertex;  /**< index into the vertex table */
     float normal[3]; /**< of length 1; 0 at a tip, as a cone has one */
@@ -38,8 +38,8 @@ typedef struct ContourCorner {
 typedef struct ClippedSegment {
     float p[4], q[4]; /* p', q': clipped end points in homogeneous clip space, w > 0 */
     float t0, t1;     /* clip parameters: p' lies at t0, q' at t1 of the segment; 0 and 1: whole */
-    la_uint own_a, own_b; /* the two faces beside the line on the screen, see own_face in
-                             project_clip.cl, or their numbers, see numbered_face in own_face.h */
+    la_uint own_a, own_b; /* the two faces beside the line on the screen: descriptions (own_face in
+                             project_clip.cl) or numbers (numbered_face in own_face.h) */
 } ClippedSegment;
 
 /* A piece of the list of triangles with the box around it. */
@@ -48,10 +48,10 @@ typedef struct Cluster {
     la_uint first, count; /* triangles */
 } Cluster;
 
-/** A piece of one segment that is drawn; everything that the stroke pass and the readback need to
- * know of it. `compact` makes one of every maximal row of samples that are at least partly visible,
- * `filter` changes their ends. Runs are in the order of their segments, and along each of them.
- * Positions in pixels, origin at the lower left. */
+/** A piece of one segment that is drawn, with everything that the stroke pass needs to know of it.
+ * `compact` makes one run of every maximal row of samples that are at least partly visible.
+ * `filter` changes the ends of runs. Runs are in the order of their segments, and along each of
+ * them. Positions in pixels, origin at the lower left. */
 typedef struct Run {
     float start[2];        /**< window position of its start */
     float end[2];          /**< and of its end */
@@ -67,15 +67,15 @@ typedef struct Run {
     la_uint samples;       /**< l, the segment's sample count */
     la_uint flags;         /**< ends and kind, LA_RUN_* */
     la_uint segment;       /**< index into the segment table */
-    float stroke_start;    /**< arc length of the start of the stroke that it is a part of */
+    float stroke_start;    /**< arc length of the start of the stroke that the run is a part of */
     float stroke_end;      /**< and of that stroke's end */
     float start_depth;     /**< window depth of its start, 0 to 1 */
     float end_depth;       /**< and of its end */
 } Run;
 
-/** A piece of one segment that is visible all along, or hidden all along (§4.6): what the readback
- * gives. Written by `intervals`, in the order of the segments and along each of them. Positions in
- * pixels, origin at the lower left. */
+/** A piece of one segment that is visible all along, or hidden all along (§4.6). Intervals are what
+ * is read back. `intervals` and `spans` write them in the order of the segments and along each of
+ * them. Positions in pixels, origin at the lower left. */
 typedef struct Interval {
     float start[2];       /**< window position of its start */
     float end[2];         /**< and of its end */
@@ -92,20 +92,20 @@ typedef struct Interval {
     la_uint flags;        /**< LA_INTERVAL_* */
 } Interval;
 
-/* Where nearer lines leave a gap in a run: arc lengths along its path, ascending, perhaps
- * overlapping; unused ones have from = to = 0. See `halo`. */
+/* The gaps that nearer lines leave in a run, see `halo`: arc lengths along the run's path,
+ * ascending, perhaps overlapping. Unused cuts have from = to = 0. */
 #define LA_MOST_CUTS 8
 typedef struct RunCuts {
     float from[LA_MOST_CUTS], to[LA_MOST_CUTS];
 } RunCuts;
 
-/* What the stroke pass draws, in the layouts of glDrawArraysIndirect, and what the host learns of a
- * frame. Written by `compact`; the host reads it only after the frame's kernels are done. */
+/* How much the stroke pass draws, in the layout of glDrawArraysIndirect, and what the host learns
+ * of a frame. `compact` writes it. The host reads it only after the frame's kernels are done. */
 typedef struct FrameRecord {
     la_uint points[4];     /* {runs, 1, 0, 0}: one point per run for the geometry shader */
     la_uint sample_total;  /* samples the frame needs; 0xFFFFFFFF: more than can be counted */
     la_uint run_total;     /* runs the frame needs; above the table's capacity nothing is drawn */
-    la_uint raw_run_total; /* of `filter`: the runs it was to filter, as run_total */
+    la_uint raw_run_total; /* of `filter`: run_total of the runs that it was to filter */
     la_uint unused;
 } FrameRecord;
 

@@ -1,11 +1,12 @@
 /* silhouette: which candidates are silhouettes in this frame (§3.1, §4.1).
  *
  * One work-item per candidate that may be a silhouette, except contours, which `contour` numbers.
- * */
+ */
 
 #include "silhouette.h"
 
-/* numbers[i]: 1 if it is one, else 0. Scanned, they number the silhouettes. */
+/* numbers[i]: 1 if candidate i is a silhouette, else 0. The scan turns them into numbers of the
+ * silhouettes. */
 KERNEL(silhouette, SilhouetteParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -13,8 +14,9 @@ KERNEL(silhouette, SilhouetteParameters) {
     numbers[i] = is_silhouette(candidate->face_a, candidate->face_b, front);
 }
 
-/* What they number. chosen[n]: the candidate that silhouette n is. positions: of all candidates,
- * emptied for `chain`. One work-item per candidate that may be one, contours too. */
+/* Lists the silhouettes that `numbers` numbers. chosen[n]: the candidate that silhouette n is.
+ * positions: a place per candidate, emptied for `chain`. One work-item per candidate, contours too.
+ */
 KERNEL(silhouette_list, SilhouetteParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;

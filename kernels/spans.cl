@@ -15,13 +15,13 @@ typedef struct Spans {
     __global const float* spans;
 } Spans;
 
-/* The parts of segment i that are visible, then those that are not, are numbered in turn along it:
- * 2k is the gap before span k, 2k + 1 the span itself. How many such numbers there are. */
+/* The number of parts of segment i, hidden and visible in turn. Part 2k is the gap before span k,
+ * part 2k + 1 the span itself. */
 static uint part_numbers(const Spans spans, const uint i) {
     return 2u * (spans.offsets[i + 1] - spans.offsets[i]) + 1u;
 }
 
-/* From where to where part `number` goes; a gap may have no length, then from = to. */
+/* The start and end of part `number`. They are equal for a gap without length. */
 static float2 part_of(const Spans spans, const uint i, const uint number) {
     const uint at = spans.offsets[i] + number / 2u;
     if (number % 2u != 0) return vload2(at, spans.spans);
@@ -29,7 +29,7 @@ static float2 part_of(const Spans spans, const uint i, const uint number) {
                   at < spans.offsets[i + 1] ? spans.spans[2u * at] : 1.0f);
 }
 
-/* See is_dot in compact.cl. */
+/* LA_WANTS_NO_DOTS: see is_dot() in run.h. */
 static bool is_wanted(const uint wanted, const float2 part, const uint number) {
     return (wanted & (number % 2u != 0 ? LA_WANTS_VISIBLE : LA_WANTS_HIDDEN)) != 0 &&
            part.x < part.y;
@@ -85,7 +85,7 @@ KERNEL(spans_runs, SpansParameters) {
     }
 }
 
-/* What an end of a part of segment i is. visible: whether the part is. */
+/* What an end of a part of segment i is. visible: true if the part is visible. */
 static uint end_of_part(const Frame frame, const Spans table, const uint i, const uint at_end,
                         const float place, const bool visible) {
     if (place != (float)at_end) return LA_END_HIDDEN;

@@ -1,12 +1,12 @@
-/* What a line's samples see of the depth buffer (§3.2, §4.3): what `atlas` and `intervals` share
- * with the atlas and spine passes. The file that includes it says first what lanes are, and what
- * Depth is, with depth_at(depths, column, row) and, of what the triangles in it are,
- * number_at(depths, column, row), plane_at(depths, number, part) and patch_at(depths, number);
- * included once by each, so there is no guard.
+/* What a line's samples see of the depth buffer (§3.2, §4.3), for `atlas`, `intervals`, and the
+ * atlas and spine passes. The file that includes this one defines lanes and Depth first, with
+ * depth_at(depths, column, row) and, for the triangles in the buffer, number_at(depths, column,
+ * row), plane_at(depths, number, part) and patch_at(depths, number). Each includes it once, so
+ * there is no guard.
  *
- * There are two rules. Where the depth buffer is known to be that of numbered triangles, what is
- * seen is judged as the surface that it is (sees_past_surface). Else, as of a program's own depth,
- * by depth alone (sees_past_depth). */
+ * There are two rules. If the triangles in the depth buffer are known by number, a probe judges the
+ * surface that it sees (sees_past_surface). Otherwise, as with a program's own depth, it judges by
+ * depth alone (sees_past_depth). */
 #include "own_face.h"
 
 /* One of the two faces of a line, as describe_own_face() in clipping.h packs it. */
@@ -32,15 +32,15 @@ struct Spine {
     float2 along;                   /* unit vector along the segment */
     float depth_along;              /* window depth per pixel along it */
     OwnFace a, b;
-    float outside; /* of a fold, both faces on one side (a silhouette): 1 left, -1 right; of what
-                      nothing sees LA_OUTSIDE_NOWHERE; else 0 */
-    /* Of its two faces, where those are known by number: that, and their smooth patches. */
+    float outside; /* the outside of a fold, whose faces are both on one side (a silhouette): 1
+                      left, -1 right; LA_OUTSIDE_NOWHERE: no probe sees the line; else 0 */
+    /* Numbers and smooth patches of its two faces, if these are known by number. */
     int number_a, number_b, patch_a, patch_b;
 };
 LA_TYPEDEF(Spine)
 
-/* p, q: clipped ends in clip space; own_a, own_b: packed faces, or numbered ones: then their
- * patches are for the caller to find. */
+/* p, q: clipped ends in clip space. own_a, own_b: packed faces, or numbered ones, whose patches the
+ * caller has to find. */
 FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, const uint own_b,
                           const bool numbered, const float2 viewport, const float depth_scale) {
     const float3 scale = float3(viewport.x * 0.5f, viewport.y * 0.5f, 0.5f);
@@ -70,8 +70,8 @@ FUNCTION Spine make_spine(const float4 p, const float4 q, const uint own_a, cons
     return spine;
 }
 
-/* Which probes see the line's own face. seen: depth less the line's depth beside it; across: pixels
- * to the left of the line; before: the tolerance there, in window depth. */
+/* Lanes whose probes see the line's own face. seen: the depth seen, less the line's depth beside
+ * it. across: pixels to the left of the line. before: the tolerance there, in window depth. */
 FUNCTION lanes_mask is_own_face(const OwnFace face, const lanes_float seen,
                                 const lanes_float across, const lanes_float before) {
     const float sign = face.height > 0.0f ? 1.0f : -1.0f;
@@ -85,9 +85,9 @@ FUNCTION lanes_mask is_own_face(const OwnFace face, const lanes_float seen,
     return on_side && in_reach && fabs(seen - expected) <= fmin(snap, before);
 }
 
-/* By depth: nothing there stands before the line by more than the tolerance, or what stands there
- * is one of the line's own two faces: their planes are known, so they need no bias. x, y: the point
- * of the line; column, row: the texel that is probed. */
+/* By depth: a probe sees the line if nothing there stands before the line by more than the
+ * tolerance, or if one of the line's own two faces stands there. Their planes are known, so they
+ * need no bias. x, y: the point of the line; column, row: the texel that is probed. */
 FUNCTION lanes_mask sees_past_depth(const Spine spine, const lanes_float u, const lanes_float x,
                                     const lanes_float y, const lanes_int column,
                                     const lanes_int row, const lanes_mask in_use,
@@ -111,11 +111,11 @@ FUNCTION lanes_mask sees_past_depth(const Spine spine, const lanes_float u, cons
     return sees && in_use;
 }
 
-/* By surface: what the texel shows hides the line unless it is one of the line's own faces, touches
- * the line, does not stand before the probe, or is of the line's own smooth patch and bends into
- * the way beside its outline. A face is judged by its plane, carried on from the texel to the
- * probe: a texel's middle is not where the probe is. side_x, side_y: texels from the point of the
- * line at (x, y) to the probe. */
+/* By surface: the face that the texel shows hides the line with four exceptions: it is one of the
+ * line's own faces, it touches the line, it does not stand before the probe, or it belongs to the
+ * line's own smooth patch and bends into the way beside its outline. A face is judged by its plane
+ * at the probe, because the probe is not in the middle of the texel. side_x, side_y: texels from
+ * the point of the line at (x, y) to the probe. */
 FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, const lanes_float x,
                                       const lanes_float y, const lanes_float side_x,
                                       const lanes_float side_y, const lanes_int column,
@@ -134,7 +134,7 @@ FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, co
         const lanes_float beside =
             plane_x * (side_x * depths.screen_scale.x) + plane_y * (side_y * depths.screen_scale.y);
         const lanes_float inverse_w = spine.inverse_w_p + spine.inverse_w_d * u;
-        /* As `planes` has it: of a parallel view 1 - z. */
+        /* As in `planes`: 1 - z in a parallel view. */
         const lanes_float nearness =
             depths.parallel ? 2.0f - 2.0f * (spine.depth_p + spine.depth_d * u) : inverse_w;
         const lanes_float contact = (plane_at(depths, face, 3) + LA_NEARNESS_ROUNDING) * inverse_w;
@@ -149,8 +149,8 @@ FUNCTION lanes_mask sees_past_surface(const Spine spine, const lanes_float u, co
     return sees && in_use;
 }
 
-/* Which probes see the line: those at `side` pixels to the left of the point at share u of the
- * segment. Only lanes in `in_use` are of interest. */
+/* Lanes whose probes see the line. The probes stand `side` pixels to the left of the point at share
+ * u of the segment. Only lanes in `in_use` are of interest. */
 FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lanes_float side,
                               const lanes_mask in_use, const Depth depths) {
     if (spine.outside == LA_OUTSIDE_NOWHERE) return fabs(u) < 0.0f; /* none */
@@ -169,9 +169,10 @@ FUNCTION lanes_mask sees_line(const Spine spine, const lanes_float u, const lane
 }
 
 /* The box of probes around a sample is one pixel wide across the line and one sample long along it
- * (§3.2, §4.3). Each row and column of them is a little further along than the one before, so that
- * no two are at the same place along or across the line. Where probe `column` of `row` stands:
- * pixels to the left of the line, and samples from the start of the box. per_axis: probes. */
+ * (§3.2, §4.3). Each row and column of probes is a little further along than the one before, so
+ * that no two are at the same place along or across the line. These return where probe `column` of
+ * `row` stands: pixels to the left of the line, and samples from the start of the box. per_axis:
+ * probes per axis. */
 FUNCTION lanes_float probe_side(const lanes_int column, const lanes_int row, const int per_axis) {
     const float inverse = 1.0f / float_of(per_axis);
     const float middle = 0.5f * float_of(per_axis - 1);
@@ -186,8 +187,9 @@ FUNCTION lanes_float probe_ahead(const lanes_int column, const lanes_int row, co
     return (TO_FLOAT(row) + 0.5f) * inverse + shift;
 }
 
-/* A single probe on a smooth silhouette would hit the surface or miss it by chance, and the outline
- * would be dashed; it stands outside instead, by so many pixels to the left. */
+/* How many pixels to the left of the line a single probe stands. On a smooth silhouette it would
+ * hit the surface or miss it by chance, and the outline would be dashed. So it stands outside of
+ * the fold. */
 FUNCTION float lone_probe_shift(const Spine spine, const int per_axis, const float depth_scale) {
     return per_axis == 1 ? spine.outside * LA_FOLD_CLEARANCE * (1.0f / depth_scale) : 0.0f;
 }

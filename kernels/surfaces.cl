@@ -1,5 +1,5 @@
-/* surfaces: the model as the exact method needs it: corners and faces on the screen, planes in
- * space, and faces that hide a whole tile.
+/* surfaces: the model in the form that the exact method needs: corners and faces on the screen,
+ * planes in space, and faces that hide a whole tile.
  *
  * surfaces_vertices: one work-item per vertex. surfaces_faces: one per triangle. surfaces_boxes,
  * surfaces_occluders, surfaces_batches: one per batch of triangles. surfaces_boxes runs only after
@@ -10,8 +10,8 @@
 #include "batches.h"
 #include "exact.h"
 
-/* screen: four numbers a vertex: window position in pixels, nearness, and 1; before the near plane
- * -1, and the others mean nothing. */
+/* screen: four numbers per vertex: window position in pixels, nearness, and 1. For a vertex before
+ * the near plane the last number is -1, and the others mean nothing. */
 KERNEL(surfaces_vertices, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.vertex_count) return;
@@ -24,9 +24,9 @@ KERNEL(surfaces_vertices, ExactParameters) {
             i, screen);
 }
 
-/* The plane of a face: its unit normal away from the eye, and how far from the plane the eye is (of
- * a parallel view the sine between them). Of two of its edges the product is taken that loses
- * least: the shorter two. */
+/* The plane of a face: its unit normal away from the eye, and the distance of the eye from the
+ * plane (in a parallel view the sine between them). The normal is the cross product of the two
+ * shorter edges, which loses least. */
 static float4 plane_of(const float3 a, const float3 b, const float3 c, const float4 eye) {
     const float3 ab = b - a, bc = c - b, ca = a - c;
     const float ab2 = dot_product(ab, ab), bc2 = dot_product(bc, bc), ca2 = dot_product(ca, ca);
@@ -56,7 +56,7 @@ static void enclose(ScreenFace* face, const float2 place) {
     face->high[1] = fmax(face->high[1], place.y);
 }
 
-/* The box of what lies beyond the near plane. */
+/* The box of the part of a face beyond the near plane. */
 static void enclose_crossing(const ExactParameters* args, const uint t,
                              __global const float* vertices, __global const uint* triangles,
                              ScreenFace* face) {
@@ -82,10 +82,11 @@ static void enclose_crossing(const ExactParameters* args, const uint t,
 typedef struct Partner {
     uint face;               /* LA_NO_FACE: there is none */
     float reach;             /* see contact_nearness */
-    uint corner, own_corner; /* of it, and of the face itself, the one that the other has not */
+    uint corner, own_corner; /* the corner of the partner, and of the face itself, that the other
+                                has not */
 } Partner;
 
-/* Which corner of triangle t, 0 to 2, triangle u has not, if it has the other two; else 3. */
+/* The corner of triangle t, 0 to 2, that triangle u has not, if u has the other two; else 3. */
 static uint odd_corner(const uint t, const uint u, __global const uint* triangles) {
     uint odd = 3u, missing = 0;
     for (uint k = 0; k < 3; ++k) {
@@ -99,13 +100,15 @@ static uint odd_corner(const uint t, const uint u, __global const uint* triangle
     return missing == 1u ? odd : 3u;
 }
 
-/* The neighbour of face t in the table, if both together are a quad on the screen: as modellers and
- * readers write those. */
+/* The neighbour of face t in the table, if both together are a quad on the screen. Modellers and
+ * readers write the halves of quads one after the other. */
 static Partner partner_of(const ExactParameters* args, const uint t, const uint u,
                           __global const float* vertices, __global const uint* triangles,
                           __global const float* screen) {
     Partner partner = {LA_NO_FACE, 0.0f, 0, 0};
-    if (u >= args->triangle_count) return partner; /* before the first, too */
+    if (u >= args->triangle_count)
+        return partner; /* also true before the first triangle, as u
+                           wraps around */
     partner.own_corner = odd_corner(t, u, triangles);
     partner.corner = odd_corner(u, t, triangles);
     if (partner.own_corner == 3u || partner.corner == 3u) return partner;
@@ -114,7 +117,7 @@ static Partner partner_of(const ExactParameters* args, const uint t, const uint 
     const float4 from = vload4(triangles[3 * t + (partner.own_corner + 1u) % 3u], screen);
     const float4 to = vload4(triangles[3 * t + (partner.own_corner + 2u) % 3u], screen);
     if (!(own.w > 0.0f && other.w > 0.0f && from.w > 0.0f && to.w > 0.0f)) return partner;
-    /* On either side of what they share. */
+    /* The two corners lie on either side of the shared edge. */
     const float2 way = xy(to) - xy(from), at_own = xy(own) - xy(from), at = xy(other) - xy(from);
     if (!((way.x * at_own.y - way.y * at_own.x) * (way.x * at.y - way.y * at.x) < 0.0f))
         return partner;
@@ -123,7 +126,7 @@ static Partner partner_of(const ExactParameters* args, const uint t, const uint 
     return partner;
 }
 
-/* How far inside of its sides, but for that opposite a corner, all of a tile lies. */
+/* How far all of a tile lies inside of a face's sides, except the side opposite a corner. */
 static float inside_but(const TileFace* face, const uint corner, const float size) {
     float inside = INFINITY;
     for (uint k = 0; k < 3; ++k) {
@@ -132,14 +135,14 @@ static float inside_but(const TileFace* face, const uint corner, const float siz
     return inside;
 }
 
-/* What is farther than this is farther than all of the face in a tile. */
+/* A nearness. Anything farther than this is farther than all of the face in a tile. */
 static float surely_hides(const TileFace* face, const float size) {
     const float farthest = least_in(face->nearness, size);
     return farthest - 2.0f * face->doubt - farthest * NEARNESS_DOUBT;
 }
 
-/* Of tiles that the face covers alone, or with its partner: nothing that is farther than they are
- * everywhere in them is seen, or hides what is. */
+/* Writes occluders of the tiles that the face covers, alone or with its partner. In such a tile,
+ * whatever is farther than both faces all over is not seen and hides nothing that is seen. */
 static void cover_tiles(const ExactParameters* args, const uint t, const uint slice,
                         const ScreenFace box, const float reach, const Partner partner,
                         __global const float* vertices, __global const uint* triangles,
@@ -172,7 +175,7 @@ static void cover_tiles(const ExactParameters* args, const uint t, const uint sl
     }
 }
 
-/* Where face t is on the screen; UNSEEN beside it. */
+/* Where face t is on the screen; FACE_UNSEEN if it is beside the picture. */
 static ScreenFace face_on_screen(const ExactParameters* args, const uint t,
                                  __global const float* vertices, __global const uint* triangles,
                                  __global const float* screen) {
@@ -201,7 +204,7 @@ static ScreenFace face_on_screen(const ExactParameters* args, const uint t,
     return face;
 }
 
-/* Whether there may be a tile that the face covers, alone or with its partner. */
+/* True if there may be a tile that the face covers, alone or with its partner. */
 static bool may_cover(const ExactParameters* args, const ScreenFace face) {
     return face.kind == FACE_PLAIN && face.high[0] - face.low[0] > args->tile_size &&
            face.high[1] - face.low[1] > args->tile_size;
@@ -218,8 +221,8 @@ static void find_occluders(const ExactParameters* args, const uint t, const uint
     cover_tiles(args, t, slice, face, reach, partner, vertices, triangles, screen, occluders);
 }
 
-/* Most pixels that anything of one model unit is long on the screen, in the picture and as far as
- * w is at least `least_w`: by the derivative of clip xy / w. */
+/* The most pixels that one model unit takes on the screen, within the picture and where w is at
+ * least `least_w`. It follows from the derivative of clip xy / w. */
 static float pixels_per_unit(const ExactParameters* args, const float least_w) {
     const Matrix m = to_matrix(args->clip_from_world);
     const float w = sqrt((m.x.w * m.x.w + m.y.w * m.y.w) + m.z.w * m.z.w);
@@ -229,9 +232,9 @@ static float pixels_per_unit(const ExactParameters* args, const float least_w) {
     return fmax(x * half_size.x, y * half_size.y) / least_w;
 }
 
-/* Finds what faces of a batch cover: one work-item per batch, or per slice of each face. Of two
- * that cover a tile together the one that has more of it is half as wide as the tile at least; a
- * batch of narrower ones is passed over. */
+/* Finds the tiles that faces of a batch cover. One work-item per batch, or per slice of each face.
+ * If two faces cover a tile together, the one with the larger share is at least half as wide as the
+ * tile. So a batch of narrower faces is passed over. */
 KERNEL(surfaces_occluders, ExactParameters) {
     const uint i = (uint)get_global_id(0), slice = slice_of(&args, i);
     const bool in_batches = slices_of(&args) == 1;
@@ -253,9 +256,9 @@ KERNEL(surfaces_occluders, ExactParameters) {
     }
 }
 
-/* One work-item per slice of each triangle. planes: four numbers a triangle, see plane_of; 0 where
- * it hides nothing. states: of batches of the first `batched` triangles; of those that are not seen
- * nothing but that is written. */
+/* One work-item per slice of each triangle. planes: four numbers per triangle, see plane_of; 0 if
+ * it hides nothing. states: those of the batches of the first `batched` triangles. A triangle of a
+ * batch that is not seen gets FACE_UNSEEN and nothing else. */
 KERNEL(surfaces_faces, ExactParameters) {
     const uint t = sliced(&args, (uint)get_global_id(0));
     const uint slice = slice_of(&args, (uint)get_global_id(0));
@@ -276,14 +279,14 @@ KERNEL(surfaces_faces, ExactParameters) {
         find_occluders(&args, t, slice, face, plane.w, vertices, triangles, screen, occluders);
 }
 
-/* The least distance of a corner of a triangle from the opposite side. */
+/* The smallest distance of a triangle's corner from the opposite side. */
 static float width_of(const float3 a, const float3 b, const float3 c) {
     const float3 ab = b - a, bc = c - b, ca = a - c, across = cross_product(ab, bc);
     const float longest = fmax(dot_product(ab, ab), fmax(dot_product(bc, bc), dot_product(ca, ca)));
     return longest > 0.0f ? sqrt(dot_product(across, across) / longest) : 0.0f;
 }
 
-/* batches: of `count` triangles. */
+/* batches: those of `count` triangles. */
 KERNEL(surfaces_boxes, CountParameters) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * LA_BATCH;
@@ -303,8 +306,7 @@ KERNEL(surfaces_boxes, CountParameters) {
     batches[b].widest = widest;
 }
 
-/* Whether in every tile of a box in pixels a face covers the tile alone that is nearer than
- * `nearest` everywhere. */
+/* True if every tile of a box in pixels has an occluder that is nearer than `nearest` all over. */
 static bool is_covered(const ExactParameters* args, const float2 low, const float2 high,
                        const float nearest, __global const uint* occluders) {
     const int2 tiles = to_int2(args->tiles);
@@ -319,8 +321,8 @@ static bool is_covered(const ExactParameters* args, const float2 low, const floa
     return true;
 }
 
-/* states: of each of `count` batches an LA_BATCH_*: what visible and tile_lists would leave out,
- * piece by piece, at the same tiles. */
+/* states: an LA_BATCH_* for each of `count` batches. A hidden batch is one that `visible` and
+ * `tile_lists` would leave out piece by piece, in the same tiles. */
 KERNEL(surfaces_batches, ExactParameters) {
     const uint b = (uint)get_global_id(0);
     if (b >= args.count) return;

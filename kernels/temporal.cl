@@ -11,11 +11,11 @@
 #include "kernels.h"
 
 static uchar average(const uchar now, const float past, const uint history) {
-    /* An object that came before the line would leave a ghost of it. */
+    /* Otherwise an object that came before the line would leave a ghost of the line. */
     if (now == 0 && history == LA_HISTORY_SCENE) return 0;
     const float change = (float)now - past;
     if (fabs(change) > LA_TEMPORAL_LARGEST_CHANGE) return now;
-    /* What is all hidden or all visible gets there in the end. */
+    /* A sample that is all hidden or all visible gets there in the end. */
     const bool extreme = now == 0 || now == 255;
     if (extreme && fabs(change) < LA_TEMPORAL_SMALLEST_CHANGE) return now;
     return (uchar)(past + change * LA_TEMPORAL_SHARE + 0.5f);
@@ -23,9 +23,9 @@ static uchar average(const uchar now, const float past, const uint history) {
 
 /* Where a segment stands in tables by segment. */
 typedef struct Places {
-    uint own;    /* in `ranges`: silhouettes keep theirs, whatever their place in a chain */
+    uint own;    /* in `ranges`: a silhouette keeps its row, whatever its place in a chain */
     uint before; /* in the frame before */
-    bool there;  /* it was there, and ran the same way */
+    bool there;  /* true if the segment was there, and ran the same way */
 } Places;
 
 static Places places_of(const uint i, const uint first, __global const uint* origins,
@@ -40,10 +40,10 @@ static Places places_of(const uint i, const uint first, __global const uint* ori
     return places;
 }
 
-/* alpha: of this frame, in and out; before: of the frame before, from
+/* alpha: that of this frame, read and written. before: that of the frame before, from
  * offsets_before on. ranges: clip parameters t0 and t1 of every segment in the frame before, 16
- * bits each; those of this frame when the kernel is done. origins: of this frame's chains; and
- * positions_before: of the frame before, as chain_write has them. */
+ * bits each; the kernel replaces them by those of this frame. origins: those of this frame's
+ * chains. positions_before: those of the frame before. chain_write says what both hold. */
 KERNEL(temporal, TemporalParameters) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * args.block;
@@ -68,7 +68,7 @@ KERNEL(temporal, TemporalParameters) {
         if (l_before == 0) continue;
         __global uchar* own = alpha + s;
         __global const uchar* own_before = before + s_before;
-        if (l == l_before && range == range_now) { /* as most: sample by sample */
+        if (l == l_before && range == range_now) { /* the usual case: sample by sample */
             for (uint j = 0; j < l; ++j) {
                 if (own[j] != own_before[j])
                     own[j] = average(own[j], (float)own_before[j], args.history);
@@ -81,8 +81,8 @@ KERNEL(temporal, TemporalParameters) {
         const float wp = clipped[i].p[3];
         const float wq = clipped[i].q[3];
         for (uint j = 0; j < l; ++j) {
-            /* From the screen to the line in space, and to the screen of the frame before; how the
-             * depth changes along the line is taken for the same. */
+            /* From the screen to the line in space, and from there to the screen of the frame
+             * before. The change of depth along the line is taken for the same in both frames. */
             const float u = ((float)j + 0.5f) / (float)l;
             const float in_space = u * wp / (u * wp + (1.0f - u) * wq);
             const float t = (t0 + (t1 - t0) * in_space - t0_before) / length_before;

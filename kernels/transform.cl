@@ -8,14 +8,14 @@
 
 #include "kernels.h"
 
-/* A row of an object's affine matrix, world from object. Products with 0 and 1 are exact: what
- * stands where it was made stays there bit by bit. */
+/* A row of an object's affine matrix, world from object. Products with 0 and 1 are exact, so an
+ * object that has not moved keeps its place bit by bit. */
 static float moved(__global const float* row, const float3 v) {
     return (row[0] * v.x + row[1] * v.y) + (row[2] * v.z + row[3]);
 }
 
-/* matrices: three rows of four for every object. vertices, drawn: the same, for kernels and for
- * GL, which read them at the same time. One work-item per vertex. */
+/* matrices: three rows of four for every object. vertices and drawn hold the same positions, one
+ * for kernels and one for GL, which read at the same time. One work-item per vertex. */
 KERNEL(transform, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -26,8 +26,8 @@ KERNEL(transform, CountParameters) {
     vstore3(at, i, drawn);
 }
 
-/* One axis of a box around a moved box: the middle moves, and half its size grows with the row. A
- * little larger than that, so that no vertex that is rounded differently lies outside. */
+/* One axis of a box around a moved box: the middle moves, and half its size grows with the row. The
+ * result is a little larger, so that vertices that are rounded differently lie inside too. */
 static float2 moved_extent(__global const float* row, const float3 middle, const float3 half_size) {
     const float at = moved(row, middle);
     const float reach =
@@ -38,7 +38,7 @@ static float2 moved_extent(__global const float* row, const float3 middle, const
     return float2(at - most, at + most);
 }
 
-/* The box around every cluster's moved box. objects: of the clusters, which lie in one each. */
+/* The box around every cluster's moved box. objects: the object that each cluster lies in. */
 KERNEL(transform_boxes, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;
@@ -54,8 +54,8 @@ KERNEL(transform_boxes, CountParameters) {
     clusters[i].count = rest[i].count;
 }
 
-/* The boxes of clusters from their vertices; of empty ones they stay. triangles: in the order of
- * the clusters. */
+/* The boxes of clusters from their vertices. Empty clusters keep their boxes. triangles: in the
+ * order of the clusters. */
 KERNEL(transform_bounds, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || clusters[i].count == 0) return;
@@ -70,8 +70,8 @@ KERNEL(transform_bounds, CountParameters) {
     vstore3(high, 0, clusters[i].high);
 }
 
-/* ranges: of `temporal`; those of segments of jumped objects become empty, so that no sample is
- * found in the frame before. One work-item per segment. */
+/* ranges: those of `temporal`. Segments of jumped objects get empty ranges, so that none of their
+ * samples is found in the frame before. One work-item per segment. */
 KERNEL(transform_forget, CountParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count) return;

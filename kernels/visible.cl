@@ -1,14 +1,14 @@
 /* visible: the visible parts of every segment, cut by the faces before it (tile_lists.cl), with
  * continuous ends.
  *
- * One work-item per segment, which goes from tile to tile. Two steps: first count the visible parts
- * of each segment and keep the first two of them; then, after a scan of the counts, write all
- * parts. The few segments with more than two parts are cut again.
+ * One work-item per segment, which goes from tile to tile. There are two steps. The first counts
+ * the visible parts of each segment and keeps the first two of them. The second, after a scan of
+ * the counts, writes all parts. The few segments with more than two parts are cut again.
  *
- * Or one work-item per piece, which is a segment in a tile (Tuning::face_lists), since a GPU would
- * wait for the longest segment. visible_pieces counts pieces, visible_cut counts their visible
- * parts, visible_parts writes these parts, and visible_join and visible_spans join those of a
- * segment.
+ * With Tuning::face_lists there is one work-item per piece instead, the part of a segment within a
+ * tile, because a GPU would wait for the longest segment. visible_pieces counts pieces, visible_cut
+ * counts their visible parts, visible_parts writes these parts, and visible_join and visible_spans
+ * join those of a segment.
  *
  * FACE_LANES: how many faces are tested at once, 1 on GPUs. */
 
@@ -22,12 +22,12 @@
  * space: rounded places on the screen cannot tell which side of it the piece is on. */
 #define CLOSE_TO_SIDE 0.01f
 
-/* What the own surface of a contour hides of it is asked so many times its lift off the surface
- * (LA_CONTOUR_LIFT): its triangles reach beyond it on the screen, rough ones farther than an arc's.
- */
+/* A contour is tested against its own surface from so many times its lift off the surface
+ * (LA_CONTOUR_LIFT). Triangles of the surface reach beyond the contour on the screen, and rough
+ * ones reach farther than those of an arc. */
 #define OWN_LIFTS 3.0f
 
-/* What the lists of a frame are. */
+/* The lists of a frame, and the tables that they refer to. */
 typedef struct Lists {
     __global const float* vertices;
     __global const uint* triangles;
@@ -37,7 +37,7 @@ typedef struct Lists {
     __global const uint* groups;
     __global const float* blocks;
     __global const float* boxes;
-    __global const uint* patches; /* of a contour's faces; not read where there are none */
+    __global const uint* patches; /* patches of triangles; not read if there are no contours */
 } Lists;
 
 /* A segment on the screen, and in space. Along it counts s: 0 at p', 1 at q', linear on the
@@ -50,13 +50,13 @@ typedef struct Line {
     uint vertex_p, vertex_q;
     float doubt;       /* of nearness, by rounding */
     float3 at_p, at_q; /* of the vertices, or lifted */
-    /* Of a contour, whose surface it is on; else LA_NO_SURFACE. own: cut by the faces of this
-     * surface alone, and not by all others. */
+    /* The surface that a contour is on; LA_NO_SURFACE for other lines. own: true if only the faces
+     * of this surface cut the line, false if only all others do. */
     uint patch;
     bool own;
 } Line;
 
-/* A piece of it within a tile, in the tile's coordinates. Along it counts u: 0 to 1. */
+/* A piece of a line within a tile, in the tile's coordinates. Along the piece counts u: 0 to 1. */
 typedef struct Piece {
     float2 a, b;
     float nearness_a, nearness_b;
@@ -64,13 +64,14 @@ typedef struct Piece {
     float2 origin;
 } Piece;
 
-/* The parameter of the segment in space, 0 at its vertex p and 1 at q, of a place on the screen. */
+/* The parameter in space, 0 at the segment's vertex p and 1 at q, of place s on the screen. */
 static float along_in_space(const Line* line, const float s) {
     const float near_share = s * line->w_p;
     return line->t0 + (line->t1 - line->t0) * (near_share / ((1.0f - s) * line->w_q + near_share));
 }
 
-/* Keeps of u from `low` to `high` where a function that is linear on the screen is not below 0. */
+/* Narrows u, from `low` to `high`, to where a function that is linear on the screen is not below 0.
+ */
 static void keep_above(const float at_a, const float at_b, float* low, float* high) {
     if (at_a < 0.0f && at_b < 0.0f) {
         *low = 1.0f;
@@ -82,7 +83,7 @@ static void keep_above(const float at_a, const float at_b, float* low, float* hi
     }
 }
 
-/* The same of a function that is linear in space, of its values at the segment's vertices. */
+/* As keep_above(), for a function that is linear in space, given at the segment's vertices. */
 static void keep_above_in_space(const ExactParameters* args, const Line* line, const Piece* piece,
                                 const float at_p, const float at_q, float* low, float* high) {
     const float more = at_q - at_p;
@@ -93,8 +94,8 @@ static void keep_above_in_space(const ExactParameters* args, const Line* line, c
                parallel ? at_b : at_b * piece->nearness_b, low, high);
 }
 
-/* On which side of the plane through the eye, b and c a place is: to the left of the way from b to
- * c as the eye sees it, above 0. */
+/* The side of the plane through the eye, b and c that a place is on: above 0 to the left of the way
+ * from b to c, as the eye sees it. */
 static float left_of(const ExactParameters* args, const float3 place, const float3 b,
                      const float3 c) {
     const float4 eye = to_float4(args->eye);
@@ -103,8 +104,8 @@ static float left_of(const ExactParameters* args, const float3 place, const floa
                             pair_difference(c, place));
 }
 
-/* Where the piece lies within those sides of face t that `which` says (bit k: the side opposite
- * corner k), of u from `low` to `high`. */
+/* Narrows u, from `low` to `high`, to where the piece lies inside of the sides of face t in `which`
+ * (bit k: the side opposite corner k). */
 static void find_within_sides(const ExactParameters* args, const Lists* lists, const Line* line,
                               const Piece* piece, const uint t, const uint which, float* low,
                               float* high) {
@@ -121,7 +122,7 @@ static void find_within_sides(const ExactParameters* args, const Lists* lists, c
     }
 }
 
-/* Keeps of u from `low` to `high` where face t is hit beyond the near plane. */
+/* Narrows u, from `low` to `high`, to where rays hit face t beyond the near plane. */
 static void keep_beyond_near(const ExactParameters* args, const Lists* lists, const Piece* piece,
                              const uint t, float* low, float* high) {
     if (lists->faces[t].kind != FACE_CROSSES || !(*low < *high)) return;
@@ -131,8 +132,8 @@ static void keep_beyond_near(const ExactParameters* args, const Lists* lists, co
                near.a * piece->b.x + near.b * piece->b.y + near.c, low, high);
 }
 
-/* Where face t hides the piece, of u from `low` to `high`, decided in space: by how far the line's
- * ends lie behind the face's plane. */
+/* Narrows u, from `low` to `high`, to where the piece lies behind face t. It is decided in space,
+ * by how far the line's ends lie behind the face's plane. */
 static void find_behind(const ExactParameters* args, const Lists* lists, const Line* line,
                         const Piece* piece, const uint t, float* low, float* high) {
     const uint i0 = lists->triangles[3 * t], i1 = lists->triangles[3 * t + 1],
@@ -153,13 +154,13 @@ static void find_behind(const ExactParameters* args, const Lists* lists, const L
     keep_beyond_near(args, lists, piece, t, low, high);
 }
 
-/* A linear function of LANES faces, at a place. */
+/* The values of a linear function of LANES faces at a place. */
 static lanes_float value_at(__global const float* coefficients, const float2 place) {
     return LOAD_LANES(coefficients) * place.x + (LOAD_LANES(coefficients + LA_GROUP) * place.y +
                                                  LOAD_LANES(coefficients + 2 * LA_GROUP));
 }
 
-/* Of the lanes those by whose faces a contour is cut. */
+/* Those lanes in `may_hide` whose faces may cut the contour. */
 static uint cutting_lanes(const Lists* lists, const Line* line, __global const float* entries,
                           const uint may_hide) {
     uint cutting = 0;
@@ -171,12 +172,12 @@ static uint cutting_lanes(const Lists* lists, const Line* line, __global const f
     return cutting;
 }
 
-/* Takes what LANES faces hide away from the piece, of whose parts there are any. */
+/* Takes the parts that LANES faces hide away from the piece. The piece must have parts. */
 static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const Line* line,
                          const Piece* piece, __global const float* entries, const float4 box,
                          const float farthest, const float doubt, const float least, Parts* parts) {
-    /* What is hidden beside these is not worth a look: it is not visible, or it is so near an end
-     * of the segment that it is taken for that end, if there is more of the piece than that. */
+    /* Faces that hide nothing between these two places need no look. Beyond them nothing is
+     * visible, or the place is so near an end of the segment that it counts as that end. */
     const float nothing = least < 0.5f ? NOTHING_AT_AN_END * least : 0.0f;
     const float2 ends =
         float2(fmax(parts->part[0].x, piece->s_a == 0.0f ? nothing : 0.0f),
@@ -187,14 +188,14 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
                     LOAD_LANES(entries + LA_ENTRY_HIGH_Y * LA_GROUP) >= box.y &&
                     LOAD_LANES(entries + LA_ENTRY_NEAREST * LA_GROUP) >= farthest;
     if (!ANY(may)) return;
-    /* What lies beside a line need not be closed against rounding: slivers without a width of their
-     * own hide nothing of it. */
+    /* Faces need no slack for ways beside lines. Slivers without a width of their own hide nothing
+     * of such a way. */
     const bool beside = args->beside != 0;
     const float slack = beside ? 0.0f : args->slack;
     const float narrowest = beside ? args->slack * (least / SHORTEST_PART) : 0.0f;
     lanes_float at_a[3], at_b[3];
     lanes_int along[3];
-    /* What lies beside a line is in space where nobody knows. */
+    /* Ways beside lines have no place in space. */
     const float close = beside ? -1.0f : CLOSE_TO_SIDE;
     for (int k = 0; k < 3; ++k) {
         __global const float* side = entries + (LA_ENTRY_SIDES + 3 * k) * LA_GROUP;
@@ -253,7 +254,8 @@ static void cut_by_lanes(const ExactParameters* args, const Lists* lists, const 
     }
 }
 
-/* Takes what is hidden of a piece in a tile away from its visible parts, of which there are. */
+/* Takes the hidden parts of a piece in a tile away from its visible parts. The piece must have
+ * some. */
 static void cut_piece(const ExactParameters* args, const Lists* lists, const Line* line,
                       const Piece* piece, const uint tile, Parts* parts) {
     const float margin = 2.0f * args->slack;
@@ -301,8 +303,8 @@ static Piece piece_of(const Line* line, const float s_a, const float s_b, const 
     return piece;
 }
 
-/* What is visible of the segment from s_a to s_b, all in one tile. lifted: of a contour what its
- * own surface hides; else null. */
+/* Finds the visible parts of the segment from s_a to s_b, all in one tile. lifted: a contour as its
+ * own surface hides it; null for other lines. */
 static void find_in_tile(const ExactParameters* args, const Lists* lists, const Line* line,
                          const Line* lifted, const int2 tile, const float s_a, const float s_b,
                          Found* found) {
@@ -335,8 +337,8 @@ static float leaves_at(const float p, const float way, const int tile, const flo
     return 2.0f;
 }
 
-/* A way along a segment, tile by tile: it has come to `tile`, where the segment is from `from` to
- * `to`. */
+/* A walk along a segment from tile to tile. It has come to `tile`, which has the segment's part
+ * from `from` to `to`. */
 typedef struct Walk {
     int2 tile, next;
     float from, to;
@@ -351,7 +353,8 @@ static Walk begin_walk(const ExactParameters* args, const Line* line) {
     return walk;
 }
 
-/* Goes on to the next tile that has more of the segment than a point; false if there is none. */
+/* Goes on to the next tile that has more of the segment than a point. Returns false if there is
+ * none. */
 static bool walk_on(const ExactParameters* args, const Line* line, Walk* walk) {
     const int2 tiles = to_int2(args->tiles);
     while (walk->to < 1.0f) {
@@ -373,7 +376,7 @@ static bool walk_on(const ExactParameters* args, const Line* line, Walk* walk) {
     return false;
 }
 
-/* What is visible of the segment, tile by tile. */
+/* Finds the visible parts of the segment, tile by tile. */
 static void find_visible(const ExactParameters* args, const Lists* lists, const Line* line,
                          const Line* lifted, Found* found) {
     Walk walk = begin_walk(args, line);
@@ -423,7 +426,7 @@ static Line line_of(const ExactParameters* args, const Lists* lists,
     return line;
 }
 
-/* A contour where its own surface shall not hide it. */
+/* A contour, lifted so far that its own surface does not hide it where it should be seen. */
 static Line lifted_line(const ExactParameters* args, const Lists* lists,
                         __global const Segment* segment, __global const ClippedSegment* clipped,
                         const Line* line) {
@@ -442,12 +445,12 @@ static Line lifted_line(const ExactParameters* args, const Lists* lists,
     return lifted;
 }
 
-/* The segment that clipped segment i is of. */
+/* The segment that clipped segment i is a part of, or runs beside. */
 static uint segment_of(const ExactParameters* args, const uint i, __global const uint* seen) {
     return args->beside != 0 ? seen[i / args->beside] : i;
 }
 
-/* Whether nothing is to be found of clipped segment i. */
+/* True if clipped segment i has nothing to be looked for. */
 static bool is_absent(const ExactParameters* args, const uint i, __global const Segment* segment,
                       __global const ClippedSegment* clipped, __global const uint* arcs) {
     const bool absent = args->beside != 0 ? clipped[i].p[3] == 0.0f : arcs[i + 1] == arcs[i];
@@ -476,8 +479,8 @@ KERNEL(visible_count, ExactParameters) {
     vstore4(found.kept, i, kept);
 }
 
-/* spans: the visible parts of all segments, from and to, 0 at p' and 1 at q', linear on the screen.
- * offsets: the scanned counts. */
+/* spans: start and end of the visible parts of all segments, 0 at p' and 1 at q', linear on the
+ * screen. offsets: the scanned counts. */
 KERNEL(visible_write, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || offsets[args.count] > args.span_capacity) return;
@@ -514,7 +517,7 @@ KERNEL(visible_pieces, ExactParameters) {
     counts[i] = count;
 }
 
-/* Which of `count` segments has piece k: the last whose pieces begin there or before. */
+/* The segment, of `count`, that has piece k: the last whose pieces begin at k or before. */
 static uint segment_with_piece(const uint k, const uint count, __global const uint* piece_offsets) {
     uint low = 0, high = count;
     while (high - low > 1u) {
@@ -527,7 +530,7 @@ static uint segment_with_piece(const uint k, const uint count, __global const ui
     return low;
 }
 
-/* Parts of a piece as they are, neither joined nor moved to the ends of the segment. */
+/* Finds the parts of a piece as they are, neither joined nor moved to the ends of the segment. */
 static Found find_in_piece(const ExactParameters* args, const Lists* lists, const uint k,
                            __global const Segment* segments, __global const uint* seen,
                            __global const ClippedSegment* clipped,
@@ -556,7 +559,7 @@ KERNEL(visible_cut, ExactParameters) {
     vstore4(found.kept, k, piece_kept);
 }
 
-/* raw_parts: of all pieces, in their order. */
+/* raw_parts: the parts of all pieces, in their order. */
 KERNEL(visible_parts, ExactParameters) {
     const uint k = (uint)get_global_id(0);
     if (k >= piece_offsets[args.count]) return;
@@ -571,7 +574,7 @@ KERNEL(visible_parts, ExactParameters) {
     find_in_piece(&args, &lists, k, segments, seen, clipped, piece_offsets, out);
 }
 
-/* Joins the parts of clipped segment i; null: counts alone. */
+/* Joins the parts of clipped segment i. out null: counts them only. */
 static uint join_parts(const ExactParameters* args, const uint i,
                        __global const ClippedSegment* clipped, __global const uint* piece_offsets,
                        __global const uint* part_offsets, __global const float* raw_parts,

@@ -1,12 +1,12 @@
-/* Visible parts of a segment, as visible.cl cuts and collects them: of a piece of it within a tile,
- * then of all of it. */
+/* Visible parts of a segment, as visible.cl cuts and collects them: first of a piece of the segment
+ * within a tile, then of the whole segment. */
 #ifndef LINEATLAS_VISIBLE_PARTS_H
 #define LINEATLAS_VISIBLE_PARTS_H
 
 #include "language.h"
 
-/* Parts of a piece that are held at once. Of a piece with more the first ones are found, then those
- * beyond them, as often as it takes. */
+/* Parts of a piece that are held at once. A piece with more parts is cut several times: first for
+ * its first parts, then for those beyond them. */
 #if FACE_LANES > 1
 #define MOST_PARTS 64
 #else
@@ -14,8 +14,8 @@
 #endif
 /* Visible parts shorter than this, in pixels, are left out, and gaps of that length closed. */
 #define SHORTEST_PART 0.02f
-/* Of that length, what is hidden at an end of a segment and no more: faces at the segment's vertex
- * that rounding takes for faces before it. */
+/* Share of that length. Something hidden that is no longer than this, at an end of a segment, is
+ * not looked at: rounding takes faces at the segment's vertex for faces before it. */
 #define NOTHING_AT_AN_END 0.1f
 
 /* Visible parts of a piece: from x to y each, ascending. */
@@ -25,7 +25,7 @@ typedef struct Parts {
     float end; /* what is visible beyond this is not known; 1: all is */
 } Parts;
 
-/* All of a piece from u on, before anything is taken away. */
+/* The whole piece from u on as one visible part, before anything is taken away. */
 static void begin_parts(Parts* parts, const float u) {
     parts->part[0] = float2(u, 1.0f);
     parts->count = 1;
@@ -33,7 +33,7 @@ static void begin_parts(Parts* parts, const float u) {
 }
 
 /* Splits part k by what hides it from `low` to `high`. If there is no room for both, the last part
- * is given up: it belongs to what lies beyond the end. */
+ * is given up: it lies beyond `end` then. */
 static void split_part(Parts* parts, const int k, const float low, const float high) {
     const float2 part = parts->part[k];
     parts->part[k].y = low;
@@ -73,17 +73,18 @@ static void hide(Parts* parts, const float low, const float high, const float le
     }
 }
 
-/* Where visible parts of a segment go: joined where they touch, counted, the first two kept, and
- * written if there is a table. */
+/* Collects visible parts of a segment. Parts that touch are joined, all are counted, the first two
+ * are kept, and all are written if there is a table. */
 typedef struct Found {
-    float gap;   /* SHORTEST_PART as s: what is nearer to an end of the segment is that end */
+    float gap;   /* SHORTEST_PART as s: a place nearer than this to an end of the segment is that
+                    end */
     float2 open; /* the part that may go on; none if x > y */
     uint count;
     float4 kept;
     __global float* out;
 } Found;
 
-/* way: of the segment on the screen, pixels. */
+/* way: from the segment's start to its end on the screen, pixels. */
 static Found nothing_found(const float2 way, __global float* out) {
     const float length_px = sqrt(way.x * way.x + way.y * way.y);
     const Found found = {SHORTEST_PART / length_px, float2(1.0f, 0.0f), 0,

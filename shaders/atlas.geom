@@ -8,7 +8,7 @@ layout(line_strip, max_vertices = 2) out;
 
 uniform vec2 atlas_size;  // texels; w and h
 uniform uint capacity;    // samples that the atlas holds
-uniform bool second_draw; // what went beyond a row's end, drawn again at (-w, +1)
+uniform bool second_draw; // true: draws at (-w, +1) what went beyond the end of a row
 
 in VertexSegment {
     vec4 p, q;

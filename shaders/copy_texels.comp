@@ -1,6 +1,6 @@
 #version 450 core
-// copy_texels: a part of a texture, row by row, to its place in a buffer for all of it.
-// NUMBERS: of whole numbers, else of floats.
+// copy_texels: copies a part of a texture, row by row, to its place in a buffer that holds the whole. One
+// invocation per texel. NUMBERS: the texture holds whole numbers, else floats.
 
 layout(local_size_x = 16, local_size_y = 16) in;
 

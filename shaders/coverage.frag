@@ -1,11 +1,11 @@
 #version 450 core
-// strokes, compute form: the colours of pens where kernels have found strokes of them.
+// strokes, compute form: lays each pen's colour over a pixel by the coverage that kernels found.
 
 const int most_layers = 8;
 
 uniform samplerBuffer coverage;    // of each layer, row by row
 uniform int pitch;                 // from layer to layer
-uniform ivec2 origin;              // where in the framebuffer it begins
+uniform ivec2 origin;              // where in the framebuffer the coverage begins
 uniform int row;                   // pixels
 uniform vec4 colors[most_layers];  // RGB
 

@@ -1,14 +1,15 @@
 #version 450 core
-// strokes, compute form: a tile of the picture that has any, as an instance of a strip.
+// strokes, compute form: one tile of the picture per instance, as a strip of two triangles. A tile without
+// strokes shrinks to a point.
 
-uniform usamplerBuffer shown; // of each layer per tile 1 if it has strokes
+uniform usamplerBuffer shown; // per layer and tile: 1 if the layer has strokes there
 uniform int layers;
-uniform ivec4 tiles;          // the first in the whole picture, and how many
-uniform ivec4 part;           // what is drawn of the picture: its first pixel and size
+uniform ivec4 tiles;          // the first tile in the whole picture, and how many across and up
+uniform ivec4 part;           // the part of the picture that is drawn: its first pixel and size
 
 #include "stroke_tile.h"
 
-flat out uint layers_here; // a bit for each that has strokes in the tile
+flat out uint layers_here; // a bit for each layer that has strokes in the tile
 
 void main() {
     int t = gl_InstanceID;

@@ -1,5 +1,5 @@
 #version 450 core
-// depth: nothing but the depth, or, NUMBERED, the triangle's number too.
+// depth: writes depth alone. NUMBERED: also the triangle's number.
 
 #ifdef NUMBERED
 flat in uint first_triangle;

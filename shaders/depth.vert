@@ -1,5 +1,5 @@
 #version 450 core
-// depth: the triangles, for their depth alone; NUMBERED: and for which is where.
+// depth: the vertices of the triangles. NUMBERED: also the number of the first triangle of the range.
 
 layout(location = 0) in vec3 position;
 uniform mat4 clip_from_world;

@@ -1,5 +1,5 @@
 #version 450 core
-// fill: the colour of the triangle; LIT: in the light of a distant lamp.
+// fill: the colour of the triangle. LIT: shaded by a distant lamp.
 
 uniform usamplerBuffer color_indices; // per triangle
 uniform samplerBuffer colors;         // alpha 0: none
@@ -18,19 +18,19 @@ vec4 triangle_color() {
 }
 
 #ifdef LIT
-uniform vec4 light;    // direction to it, in eye space
+uniform vec4 light;    // direction to the lamp, in eye space
 uniform float ambient; // light that is everywhere
-uniform float steps;   // of the shades; 0: smooth
+uniform float steps;   // number of shades; 0: smooth
 
 in vec3 eye_position;
 
 float shade() {
-    // The screen's x and y axes seen on the face: their normal looks at the eye, whichever way the
-    // triangle is wound.
+    // Both derivatives lie in the face. Their cross product looks at the eye, whichever way the triangle
+    // is wound.
     vec3 normal = cross(dFdx(eye_position), dFdy(eye_position));
     float lambert = max(0.0, dot(normal, light.xyz) / max(length(normal), 1e-30));
     if (steps > 0.0) lambert = min(floor(lambert * steps), steps - 1.0) / (steps - 1.0);
-    // Light adds up linearly; colours are coded for the screen.
+    // Light adds up linearly, but colours are coded for the screen.
     return pow(mix(ambient, 1.0, lambert), 1.0 / 2.2);
 }
 #else

@@ -1,5 +1,5 @@
 #version 450 core
-// fill: triangles with their colours. LIT: and with what their light is computed from.
+// fill: the vertices of the triangles. LIT: also their places in eye space, for the light.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in uint first_index; // of the range that is drawn

@@ -1,5 +1,5 @@
 #version 450 core
-// import_depth: one triangle that covers everything.
+// import_depth: one triangle that covers the viewport.
 
 void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);

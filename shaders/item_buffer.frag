@@ -1,8 +1,8 @@
 #version 450 core
 // item_buffer: one layer of line IDs.
 //
-// A layer is peeled by the IDs in the layers before it, not by their depth: lines that meet have the same
-// depth where they do, and of those all but one would be peeled away at once.
+// A layer leaves out the IDs of the layers before it. Peeling by depth would not do: lines that meet have
+// the same depth there, so all but one of them would be peeled away at once.
 
 uniform int layer;
 uniform usampler2D first_layer;

@@ -1,4 +1,4 @@
-// What headers that shaders share with kernels are written in: the GLSL side of kernels/language.h.
+// The GLSL side of kernels/language.h: what shaders need to read headers that they share with kernels.
 
 #define FUNCTION
 #define LA_TYPEDEF(name)
@@ -20,7 +20,7 @@
 #define TABLE_ARGUMENT(type, name)
 #define TABLE_AT(name, i) texelFetch(name, i).r
 
-// With OpenCL's results for what is no number, which GLSL's own min and max leave open.
+// These return what OpenCL's do if an argument is not a number. GLSL's own min and max leave that open.
 float fmin(float a, float b) { return b < a || a != a ? b : a; }
 float fmax(float a, float b) { return a < b || a != a ? b : a; }
 vec2 fmin(vec2 a, vec2 b) { return vec2(fmin(a.x, b.x), fmin(a.y, b.y)); }

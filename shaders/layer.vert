@@ -1,7 +1,7 @@
 #version 450 core
 // layer: one triangle that covers the viewport, and where its pixels lie in the layer.
 
-uniform vec4 part; // of the layer: its size, and its lower left corner; 1 is all of it
+uniform vec4 part; // of the layer: size and lower left corner, as shares of it
 
 out vec2 place;
 

@@ -4,8 +4,8 @@ uniform vec4 color;        // RGB and opacity
 
 #include "constants.h"
 
-// A third of the probes make a full stroke. On a smooth silhouette half of every pixel is surface, so
-// half of the probes is all that can see the line.
+// A third of the probes is enough for a full stroke. On a smooth silhouette the surface covers half of
+// each pixel, so no more than half of the probes can see the line.
 float stroke_visibility(float alpha) { return min(1.0, alpha * (255.0 / float(LA_FULLY_SHOWN))); }
 
 // Antialiased coverage at a distance from the spine, pixels.
@@ -13,8 +13,8 @@ float stroke_coverage(float distance_px, float half_width) {
     return clamp(half_width + 0.5 - distance_px, 0.0, min(1.0, 2.0 * half_width));
 }
 
-// A texture at an arc length and a distance to the left, pixels. repeat: pixels along the stroke that
-// one repeat covers.
+// Coverage of a mark at an arc length and at a distance to the left, both in pixels. repeat: pixels along
+// the stroke per repeat of the mark.
 float mark_of(sampler2D mark, float repeat, float arc, float across, float half_width) {
     return texture(mark, vec2(arc / repeat, across * 0.5 / max(half_width, 0.5) + 0.5)).r;
 }

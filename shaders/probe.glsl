@@ -15,7 +15,7 @@ uniform usamplerBuffer patches;
 #include "constants.h"
 #include "kernel_language.glsl"
 
-// Of the depth texture, or that of the numbers in its place.
+// The size of the depth texture, or of the numbers if they are read in its place.
 struct Depth {
     ivec2 size;
     float scale, tolerance;
@@ -49,7 +49,7 @@ Spine spine_of(vec4 p, vec4 q, uvec2 own_faces) {
     return spine;
 }
 
-// Of the varyings that atlas.geom makes of it.
+// The spine that atlas.geom has packed into varyings.
 Spine unpacked(vec4 line, vec4 depths, vec4 along, vec4 faces, ivec4 surfaces) {
     return Spine(line.xy, line.zw, depths.x, depths.y, depths.z, depths.w, along.xy, along.z,
                  OwnFace(faces.x, faces.y), OwnFace(faces.z, faces.w), along.w, surfaces.x,

@@ -41,7 +41,7 @@ bool is_silhouette(uint face_a, uint face_b) {
     return front(face_a) != (front(face_b & LA_FACE_INDEX) != flipped);
 }
 
-// describe_own_face() of a face that may be none.
+// describe_own_face() of a face; 0 for LA_NO_FACE.
 uint own_face(uint face, uint kind, uvec2 ends, vec4 p, vec4 q, vec2 across, float length_px) {
     if (face == LA_NO_FACE) return 0u;
     uvec3 corners = texelFetch(triangles, int(face & LA_FACE_INDEX)).xyz;

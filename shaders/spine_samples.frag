@@ -1,6 +1,6 @@
 #version 450 core
 // spine, sampled: what the spine test finds at the centre of every sample, in the layout of the atlas.
-// For measuring it (bench/quality); drawing needs no samples.
+// bench/quality measures the spine test by it. Drawing needs no samples.
 
 #include "probe.glsl"
 

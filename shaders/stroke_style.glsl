@@ -1,12 +1,12 @@
-// What the features of a style need in the fragments of a stroke; included by strokes.frag, which says
-// what each is.
+// Uniforms and functions that the features of a style need in the fragments of a stroke. strokes.frag
+// includes this file and lists the features.
 
 #if defined(WIDTH_PROFILE) || defined(OPACITY_PROFILE)
 const int most_profile_values = 16;
 
 uniform float width_profile[most_profile_values]; // along the stroke, evenly spaced
 uniform float opacity_profile[most_profile_values];
-uniform uvec2 profile_counts;                     // how many of each are in use
+uniform uvec2 profile_counts;                     // values in use of either profile
 
 float profile_at(float profile[most_profile_values], uint count, float share) {
     float x = clamp(share, 0.0, 1.0) * float(count - 1u);
@@ -33,7 +33,7 @@ float bin_weight(vec2 place, uint bin) {
                mix(cell_weight(cell + ivec2(0, 1), bin), cell_weight(cell + ivec2(1, 1), bin), f.x), f.y);
 }
 
-// How much of the line is drawn at a place in the window. Its priority lies between two bins.
+// How much of the line is drawn at a place in the window. The line's priority lies between two bins.
 float density_weight(vec2 place) {
     uint bin = run_priority >> 4u;
     float share = float(run_priority & 15u) / 16.0;
@@ -61,10 +61,10 @@ uniform float far_pen_repeat;
 
 #ifdef DRY_CAPS
 uniform float cap_length;
-uniform sampler2D cap_grain;    // coverage as of a pen
+uniform sampler2D cap_grain;    // coverage, as in `pen`
 uniform float cap_grain_repeat; // pixels along the stroke
 
-// What is left of the mark at so many pixels from a textured end.
+// The share of the mark that is left at `from_end` pixels from a textured end.
 float dry_mark(float from_end, float arc, float width) {
     float dry = from_end / cap_length;
     float grain = mark_of(cap_grain, cap_grain_repeat, arc, local.y, width);

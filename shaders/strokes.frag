@@ -1,16 +1,13 @@
 #version 450 core
-// strokes: the pen's mark times the visibility along the run (§4.4). A style has a shader of just the
-// features it needs:
+// strokes: the pen's mark times the visibility along the run (§4.4). Each style gets a shader with just
+// the features that it needs:
 //
-// EXACT_ENDS                      ends are cut, with caps; else visibility fades out by itself
-// BEVELS                          joins have bevels; round ones and mitres need nothing of their own
-// TAPERS, DRY_CAPS                caps that are tapered, or textured
-// WIDTH_PROFILE, OPACITY_PROFILE  both change along the stroke
-// DENSITY, FOCUS                  see stroke_style.glsl
-// FAR_TEXTURE, FAR_SOLID          the mark is another one far from the focus
-// HIDDEN                          draws what is not visible
-// PENS                            draws runs of one pen of several (strokes.glsl)
-// PEN_TEXTURE                     see mark.glsl
+// EXACT_ENDS                      ends are cut, with caps; else visibility fades out by itself BEVELS
+// joins have bevels; round ones and mitres need nothing of their own TAPERS, DRY_CAPS                caps
+// that are tapered, or textured WIDTH_PROFILE, OPACITY_PROFILE  both change along the stroke DENSITY,
+// FOCUS                  see stroke_style.glsl FAR_TEXTURE, FAR_SOLID          the mark is another one far
+// from the focus HIDDEN                          draws what is not visible PENS
+// draws runs of one pen of several (strokes.glsl) PEN_TEXTURE                     see mark.glsl
 
 #define VARYING in
 #include "stroke_varyings.glsl"
@@ -22,7 +19,7 @@ uniform samplerBuffer alpha;  // the segment atlas
 
 layout(location = 0) out vec4 picture;
 
-// How much is drawn at so many pixels along the run: linear between sample centres.
+// How much is drawn at `along` pixels from the run's start: linear between sample centres.
 float visibility_at(float along) {
     float last = float(run_samples.y);
     float position = uintBitsToFloat(run_samples.z) + along * uintBitsToFloat(run_samples.w);

@@ -20,7 +20,7 @@ uniform float mitre_limit;  // largest length of a mitre over the stroke's width
 uniform uvec2 cap_kinds;    // where visibility ends, and where the path does
 uniform float cap_length;   // of tapered and textured caps, pixels
 
-uniform uint only_pen;      // PENS: runs of others are left out
+uniform uint only_pen;      // PENS: runs of other pens are left out
 
 uniform bool focus_in_scene;
 uniform vec4 focus_point;   // pixels, or in the scene
@@ -30,12 +30,12 @@ uniform mat4 world_from_clip;
 
 // A quad reaches this far beyond the stroke's edge: coverage is 0 there (stroke_coverage).
 const float fringe = 0.5;
-// Where no end of a run or stroke has what is asked for.
+// The place of an end that a run or stroke does not have.
 const float far_away = 1e9;
 
 struct Run {
     vec4 ends;      // window position of start and end
-    vec4 corners;   // at joins from the spine to the left corners, for half-width 1; else 0
+    vec4 corners;   // at joins the way from the spine to the left corners, for half-width 1; else 0
     vec4 params;    // arc length at start and end, sample position at start and end
     uvec4 indices;  // atlas address, sample count, flags, segment
     vec4 stroke;    // arc lengths of the whole stroke's ends; window depth of start and end
@@ -155,7 +155,7 @@ void set_run(Run run, Axes axes) {
     end_bevel = bevel(end, run.corners.zw, axes, 1.0);
 
     float stroke_length = run.stroke.y - run.stroke.x;
-    // A tapered end never meets the other one in less than a point.
+    // No taper is longer than half the stroke, so the tapers of both ends meet in a point at most.
     stroke_taper = vec3(ends_with_cap(run, cap_taper), 1.0 / min(cap_length, 0.5 * stroke_length + 1e-3));
     stroke_dry = ends_with_cap(run, cap_texture);
     stroke_share = stroke_length > 0.0

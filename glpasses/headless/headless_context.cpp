@@ -29,7 +29,7 @@ std::string advice() {
            memory_limit_remark();
 }
 
-/// libepoxy ends the process where these are missing.
+/// Throws if a library is missing without which libepoxy would end the process.
 void check_libraries() {
     const auto has = [](const char* name) { return dlopen(name, RTLD_LAZY) != nullptr; };
     if (!has("libEGL.so.1")) throw DeviceError("there is no libEGL.so.1" + advice());
@@ -59,8 +59,8 @@ EGLDisplay open_display() {
     throw DeviceError("EGL offers no headless display" + advice());
 }
 
-/// A core context of a version or, without one, what the driver gives unasked. EGL_NO_CONTEXT if it
-/// has none.
+/// A core context of a version; with major 0 the context that the driver makes by default.
+/// EGL_NO_CONTEXT if the driver makes none.
 EGLContext create_context(EGLDisplay display, int major, int minor) {
     const std::array<EGLint, 7> core{EGL_CONTEXT_MAJOR_VERSION,
                                      major,
@@ -74,7 +74,7 @@ EGLContext create_context(EGLDisplay display, int major, int minor) {
                             major > 0 ? core.data() : nullptr);
 }
 
-/// What a driver without 4.5 offers in its place, for a message.
+/// The best version that a driver without 4.5 offers, for a message.
 std::string best_version(EGLDisplay display) {
     for (const auto& [major, minor] :
          {std::pair{4, 4}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {0, 0}}) {
@@ -92,11 +92,11 @@ std::string best_version(EGLDisplay display) {
     return "it offers no OpenGL at all";
 }
 
-/// How a copy of the process ends where there is no context, which is no fault of the driver.
+/// Exit status of a copy of the process if there is no context. That is no fault of the driver.
 constexpr int refused = 2;
 
-/// In a copy of the process: a context is made and shows a few pixels, with `room` bytes left for a
-/// frame.
+/// Runs in a copy of the process: makes a context and draws a few pixels, with `room` bytes left
+/// for a frame.
 [[noreturn]] void try_driver(std::size_t room) {
     begin_driver_copy();
     take_memory(room);
@@ -122,7 +122,8 @@ constexpr int refused = 2;
     ::_exit(0);
 }
 
-/// Its status, as waitpid() has it; nothing where there is no room for a copy.
+/// The status of a copy that tries the driver, as waitpid() returns it; nothing if there is no
+/// memory for a copy.
 std::optional<int> status_of_copy(std::size_t room) {
     const pid_t copy = ::fork();
     if (copy < 0) return std::nullopt;
@@ -137,9 +138,10 @@ std::optional<int> status_of_copy(std::size_t room) {
     return status;
 }
 
-/// Where memory is limited a driver may end the process that asks it for a context: Mesa 25 does,
-/// by SIGSEGV. So a copy asks first, and another without room for a frame where there was no
-/// context: with a little more memory Mesa 26.1 ends the process where it has refused before.
+/// Throws if the driver would end this process. Under a memory limit a driver may end a process
+/// that asks for a context: Mesa 25 does, by SIGSEGV. So a copy of the process asks first. If it
+/// gets no context, a second copy asks without room for a frame: with a little more memory Mesa
+/// 26.1 ends a process that it had refused a context.
 void mistrust_driver() {
     if (!memory_limit()) return;
     constexpr std::size_t room = std::size_t{64} << 20U;
@@ -148,7 +150,7 @@ void mistrust_driver() {
     };
     const std::optional<int> status = status_of_copy(room);
     if (is(status, 0)) return;
-    // What this process will say, too, if not for want of memory.
+    // This process will say so itself, unless memory was the reason.
     if (is(status, refused) && is(status_of_copy(0), refused)) return;
     const std::string how =
         WIFSIGNALED(*status) ? std::string{" ("} + strsignal(WTERMSIG(*status)) + ")" : "";

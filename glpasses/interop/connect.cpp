@@ -19,7 +19,7 @@
 namespace lineatlas::interop {
 namespace {
 
-/// A device that shares by a mode, if that works, and why it does or not.
+/// A device that shares by a mode, null if the mode does not work, and the reason for either.
 struct Attempt {
     std::unique_ptr<compute::OpenClBackend> device;
     std::string reason;
@@ -28,7 +28,7 @@ struct Attempt {
 constexpr const char* collision =
     "it crashes beside llvmpipe, since each brings an LLVM of its own";
 
-/// Whether the device and the driver of the current context do not live in one process.
+/// Whether the device and the driver of the current context cannot both run in one process.
 bool collides(const compute::OpenClDevice& device) {
     return compute::collides_with_llvmpipe(device) && gl::is_software();
 }
@@ -40,7 +40,8 @@ void refuse_collision(const compute::OpenClDevice& device) {
                       "need no GL");
 }
 
-/// What can be said against a mode without building anything. Empty: worth trying.
+/// What speaks against a mode, as far as can be told without building anything. Empty: worth
+/// trying.
 std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
     if (collides(device)) return collision;
     if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
@@ -76,13 +77,13 @@ Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
         if (round_trip(*made, mode)) return {std::move(made), std::string{success(mode)}};
         return {nullptr, "a round trip returned other data"};
     } catch (const compute::BuildError&) {
-        throw; // no mode works then
+        throw; // then no mode works
     } catch (const DeviceError& error) {
         return {nullptr, error.what()};
     }
 }
 
-/// Whether textures can be opened too, which only gl-sharing could.
+/// A remark on whether textures can be opened too. Only gl-sharing may be able to.
 std::string texture_remark(compute::OpenClBackend& device) {
     try {
         if (texture_round_trip(device)) return "; textures too";
@@ -92,7 +93,7 @@ std::string texture_remark(compute::OpenClBackend& device) {
     }
 }
 
-/// The cheap part of the probes: what the device could do, without building anything.
+/// The rank of a device by the sharing that it may be able to do, found without building anything.
 int rank(const compute::OpenClDevice& device, bool software_gl) {
     if (device.has_extension("cl_khr_gl_sharing")) return 0;
     if (device.is_cpu && software_gl) return 1;
@@ -107,14 +108,14 @@ struct Chosen {
     std::optional<ConnectOptions> otherwise{};
 };
 
-/// A device for a mode if that mode works, with the reason if not. Making a device compiles
-/// kernels, so the attempt's own is kept.
+/// A device for a mode that works. Throws with the reason if none does. Making a device compiles
+/// kernels, so the device of the attempt is kept.
 Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMode> wanted) {
     refuse_collision(device);
     std::string reason;
     for (const SharingMode mode : all_modes) {
         if (wanted && *wanted != mode) continue;
-        // Copying needs nothing that could be missing, so no time is spent on trying it.
+        // Copying needs no extension, so no time is spent on trying it.
         if (mode == SharingMode::copy) return {compute::make_opencl_backend(device), mode};
         Attempt tried = attempt(device, mode);
         if (tried.device != nullptr) return {std::move(tried.device), mode};
@@ -124,16 +125,16 @@ Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMod
                       ": " + reason + "; `lineatlas devices` shows what works");
 }
 
-/// Whether nobody has chosen a device or given kernels of his own, and OpenCL's would hardly be
-/// started before the one picture is drawn: beside a software GL it would be a CPU, which kernels
-/// as C++ have too. With a limit of memory their trial tells whether GL's drivers would live, too.
+/// True if the user left the choice open and only one picture is wanted from a software GL.
+/// Starting OpenCL would take longer than drawing by C++ on the same CPU. Under a memory limit
+/// OpenCL is started all the same: if its drivers do not survive, GL's would not either.
 bool starts_too_late(const ConnectOptions& options, const compute::WantedDevice& wanted) {
     return options.one_picture && wanted.kind.empty() && wanted.device.empty() && !options.mode &&
            options.compare_with.empty() && std::getenv("LINEATLAS_KERNEL_DIR") == nullptr &&
            !memory_limit() && gl::is_software();
 }
 
-/// A device whose memory is the host's: a software GL can have it too.
+/// A device other than OpenCL's. Its memory is the host's, which a software GL can share.
 Chosen choose_other(const std::string& kind, const std::string& device,
                     std::optional<SharingMode> wanted) {
     const bool shares_memory = kind == "cpp" && gl::is_software();
@@ -141,7 +142,7 @@ Chosen choose_other(const std::string& kind, const std::string& device,
             wanted.value_or(shares_memory ? SharingMode::host_pointer : SharingMode::copy)};
 }
 
-/// OpenCL devices that may be taken, but for those that are left out.
+/// The OpenCL devices that may be taken, without those that the options leave out.
 std::vector<compute::OpenClDevice> devices_for(const compute::WantedDevice& wanted,
                                                const ConnectOptions& options) {
     std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
@@ -175,7 +176,7 @@ Chosen choose(ConnectOptions options) {
         }
     }
     if (wanted.kind == "opencl" && !failed.empty()) throw DeviceError(failed);
-    // With so little memory GL's drivers end the process too.
+    // With so little memory GL's drivers would end the process too.
     if (wanted.kind == "opencl" || (failed.empty() && compute::drivers_lack_memory()))
         throw DeviceError(compute::no_device_message());
     Chosen chosen = choose_other("cpp", "", options.mode);

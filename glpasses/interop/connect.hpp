@@ -15,24 +15,24 @@ namespace lineatlas::interop {
 struct ModeReport {
     SharingMode mode;
     bool works;
-    std::string reason; ///< why it does, or why not
+    std::string reason; ///< why the mode works, or why not
 };
 
-/// Tries a mode with a round trip. Needs a current GL context. A driver that does not keep its
-/// word may crash or hang in here: `lineatlas devices` calls it in a child process.
+/// Tries a mode with a round trip. Needs a current GL context. A faulty driver may crash or hang in
+/// the call, so `lineatlas devices` calls it in a child process.
 ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode);
 
-/// What the user chose; empty means: find the best.
+/// What the user chose. Empty members leave the choice to connect().
 struct ConnectOptions {
-    /// One of compute::device_kinds(); empty: OpenCL, else C++ where no driver works.
+    /// One of compute::device_kinds(); empty: OpenCL, or C++ if no driver works.
     std::string kind{};
     std::string device{}; ///< "opencl:<platform>[:<device>]"
     std::optional<SharingMode> mode{};
-    /// A device that every kernel runs on too, to be compared, and the last stage for which that is
-    /// so (compare/comparing_device.hpp); empty: none, and all.
+    /// A second device that runs every kernel for comparison (empty: none), and the last stage that
+    /// is compared (empty: all stages are). See compare/comparing_device.hpp.
     std::string compare_with{}, compare_until{};
     bool one_picture = false; ///< DeviceOptions::one_picture
-    /// OpenCL devices that are not taken, and why, for a message.
+    /// OpenCL devices that are not taken, and the reason for a message.
     std::vector<compute::OpenClDevice> without{};
     std::string why_without{};
 };
@@ -42,21 +42,21 @@ struct Connection {
     std::unique_ptr<compute::Device> device;
     std::unique_ptr<compute::Stages> stages; ///< on it
     std::unique_ptr<Sharing> sharing;        ///< of it
-    std::string note{}; ///< one line for the user where the device is not what he may expect
-    /// Where the user did not choose the device: what leaves it out, for connect_next().
+    std::string note{}; ///< one line for the user if the device is not the one to be expected
+    /// Options that leave this device out, for connect_next(); none if the user chose the device.
     std::optional<ConnectOptions> otherwise{};
 };
 
-/// Of the devices, the one to use by default: the first that can share with the current GL context,
-/// else one that shares memory with it, else a GPU, else any. `devices` must not be empty.
+/// The device to use by default: the first that can share with the current GL context, else one
+/// that shares memory with it, else a GPU, else any. `devices` must not be empty.
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
 
-/// Chooses device and mode and connects. Throws UsageError for an unknown one and
-/// DeviceError when there is no OpenCL or the mode asked for doesn't work.
+/// Chooses device and mode and connects. Throws UsageError for an unknown device or mode. Throws
+/// DeviceError if there is no OpenCL or the chosen mode does not work.
 Connection connect(const ConnectOptions& options);
 
-/// Connects to the next device, since that of `failed`, which has Connection::otherwise, did not
-/// build a kernel: `why`. Throws as connect().
+/// Connects to the next device after the device of `failed` did not build a kernel. `failed` must
+/// have Connection::otherwise. `why`: the reason, for a message. Throws as connect() does.
 Connection connect_next(const Connection& failed, const std::string& why);
 
 } // namespace lineatlas::interop

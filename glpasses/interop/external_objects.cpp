@@ -13,7 +13,7 @@ namespace {
 constexpr const char* gl_extension = "GL_EXT_memory_object_fd";
 constexpr const char* extension = "cl_khr_external_memory_opaque_fd";
 
-// Of OpenCL 3.0 and its extensions, whose headers hide them from programs for 1.2.
+// Constants of OpenCL 3.0 and its extensions. Headers hide them from programs for 1.2.
 constexpr cl_device_info device_uuid = 0x106A;
 constexpr cl_ulong opaque_descriptor = 0x2060;
 
@@ -23,7 +23,7 @@ DeviceUuid uuid_of_gl() {
     return uuid;
 }
 
-/// None where OpenCL does not say.
+/// The UUID of a device; none if OpenCL does not tell it.
 std::optional<DeviceUuid> uuid_of(const compute::OpenClDevice& device) {
     DeviceUuid uuid{};
     if (!device.has_extension("cl_khr_device_uuid") ||
@@ -71,7 +71,7 @@ std::unique_ptr<compute::OpenClBuffer> ExternalObjects::open(FileDescriptor& mem
     cl::Buffer opened{create_(device_.context()(), properties.data(), CL_MEM_READ_WRITE, bytes,
                               nullptr, &status)};
     check_handover(status, "clCreateBufferWithProperties");
-    memory.release(); // OpenCL's from here on
+    memory.release(); // OpenCL owns it from here on
     return std::make_unique<compute::OpenClBuffer>(std::move(opened), bytes);
 }
 

@@ -11,12 +11,12 @@
 namespace lineatlas::interop {
 
 /// Objects of memory that a Vulkan device exports and both GL and OpenCL import
-/// (GL_EXT_memory_object_fd, cl_khr_external_memory_opaque_fd). The host waits for both:
-/// semaphores took longer where they were tried (docs/interop.md).
+/// (GL_EXT_memory_object_fd, cl_khr_external_memory_opaque_fd). The host waits for both. Semaphores
+/// took longer (docs/interop.md).
 class ExternalObjects final : public OpenedObjects {
   public:
-    /// `device` must outlive it. Throws DeviceError where external_memory_obstacle() has a reason,
-    /// or Vulkan has none of the memory.
+    /// `device` must outlive it. Throws DeviceError if external_memory_obstacle() has a reason or
+    /// Vulkan has no such memory.
     explicit ExternalObjects(const compute::OpenClBackend& device);
 
     /// Throws DeviceError when memory runs out.
@@ -42,7 +42,7 @@ class ExternalObjects final : public OpenedObjects {
     Handover acquire_, release_;
 };
 
-/// What speaks against it without asking Vulkan; empty: nothing.
+/// What speaks against external memory, found without asking Vulkan; empty: nothing.
 std::string external_memory_obstacle(const compute::OpenClDevice& device);
 
 } // namespace lineatlas::interop

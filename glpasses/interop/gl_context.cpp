@@ -16,8 +16,8 @@ struct ContextDevices {
     cl_int status = CL_SUCCESS;
 };
 
-/// Asks for the context's own device and for all that could be associated: drivers answer one, the
-/// other or both.
+/// Asks for the context's own device and for all devices that could be associated. Drivers answer
+/// one of the two queries, or both.
 ContextDevices devices_of(clGetGLContextInfoKHR_fn get_info,
                           const std::vector<cl_context_properties>& properties) {
     ContextDevices result;

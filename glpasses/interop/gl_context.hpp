@@ -12,8 +12,8 @@ namespace lineatlas::interop {
 std::vector<cl_context_properties> current_gl_properties();
 
 /// Why `device` cannot share with the GL context of this thread, or empty if nothing speaks against
-/// trying. Only asks the driver (clGetGLContextInfoKHR) and creates nothing, since drivers are
-/// known to fail in clCreateContext when the GL context belongs to another device or driver.
+/// trying. Only asks the driver (clGetGLContextInfoKHR) and creates nothing, because drivers are
+/// known to fail in clCreateContext if the GL context belongs to another device or driver.
 std::string gl_sharing_obstacle(const compute::OpenClDevice& device);
 
 } // namespace lineatlas::interop

@@ -12,7 +12,7 @@ GlObjects::GlObjects(const compute::OpenClBackend& device) : device_(device) {
 
 cl::Event GlObjects::gl_commands_so_far() const {
     const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush(); // or the fence would never be reached
+    glFlush(); // otherwise the fence might never be reached
     cl_int status = CL_SUCCESS;
     const cl::Event event{create_event_(device_.context()(), fence, &status)};
     glDeleteSync(fence); // the event holds it

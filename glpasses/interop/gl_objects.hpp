@@ -6,7 +6,7 @@
 namespace lineatlas::interop {
 
 /// Objects of GL that OpenCL opens (cl_khr_gl_sharing). If the device lists cl_khr_gl_event, OpenCL
-/// waits for GL commands and GL for OpenCL's, without the host.
+/// and GL wait for each other's commands without the host.
 class GlObjects final : public OpenedObjects {
   public:
     /// `device` must outlive it.
@@ -19,11 +19,11 @@ class GlObjects final : public OpenedObjects {
   private:
     using CreateEvent = cl_event(CL_API_CALL*)(cl_context, void* gl_sync, cl_int*);
 
-    /// Complete when all GL commands of this thread's context so far are.
+    /// An event that is complete when all GL commands of this thread's context so far are complete.
     cl::Event gl_commands_so_far() const;
 
     const compute::OpenClBackend& device_;
-    CreateEvent create_event_ = nullptr; ///< null: waits are the host's
+    CreateEvent create_event_ = nullptr; ///< null: the host waits
 };
 
 } // namespace lineatlas::interop

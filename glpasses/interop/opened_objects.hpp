@@ -6,10 +6,10 @@ struct _cl_mem;
 
 namespace lineatlas::interop {
 
-/// Throws DeviceError, with the way out, unless a call of OpenCL's returned CL_SUCCESS.
+/// Throws DeviceError, with the way out, unless `status` is CL_SUCCESS.
 void check_handover(int status, const char* call);
 
-/// How OpenCL takes and gives back what it has opened of another API's objects.
+/// Takes and gives back objects of another API that OpenCL has opened.
 class OpenedObjects {
   public:
     OpenedObjects() = default;
@@ -17,8 +17,8 @@ class OpenedObjects {
     OpenedObjects(const OpenedObjects&) = delete;
     OpenedObjects& operator=(const OpenedObjects&) = delete;
 
-    /// Whether the two APIs wait for each other by themselves. Else the host does: GL must be done
-    /// before acquire() (glFinish), and OpenCL before GL goes on (clFinish).
+    /// Whether the two APIs wait for each other by themselves. If not, the host has to wait: for GL
+    /// before acquire() (glFinish), and for OpenCL before GL goes on (clFinish).
     virtual bool are_ordered() const { return false; }
     /// Throw DeviceError.
     virtual void acquire(_cl_mem* object) = 0;

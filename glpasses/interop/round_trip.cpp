@@ -22,7 +22,7 @@ bool round_trip(compute::Device& device, SharingMode mode) {
     glClearNamedBufferData(table.gl_to_write(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one);
     compute::Stages stages{device};
     stages.scan(table.compute(), n, compute::ScanKind::saturate); // ones become 0, 1, 2, ...
-    // Copied on the GL side first, so that GL itself has read it.
+    // The table is copied on the GL side first, so that GL itself has read it.
     const gl::Buffer copy = gl::Buffer::create();
     glNamedBufferStorage(copy.id(), bytes, nullptr, 0);
     glCopyNamedBufferSubData(table.gl(), copy.id(), 0, 0, bytes);

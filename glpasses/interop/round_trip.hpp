@@ -5,11 +5,11 @@
 
 namespace lineatlas::interop {
 
-/// Writes a buffer through one API, reads it through the other, both ways. Throws DeviceError if a
-/// call fails; false if the content does not arrive.
+/// Writes a buffer through one API and reads it through the other, both ways. Returns false if the
+/// content does not arrive. Throws DeviceError if a call fails.
 bool round_trip(compute::Device& device, SharingMode mode);
 
-/// The same with a texture that OpenCL has opened.
+/// As round_trip(), with a texture that OpenCL has opened.
 bool texture_round_trip(compute::OpenClBackend& device);
 
 } // namespace lineatlas::interop

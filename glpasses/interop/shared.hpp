@@ -18,15 +18,16 @@ class Shared {
 
   private:
     friend class Sharing;
-    /// What OpenCL has opened of GL and must acquire and release; null where there is nothing.
+    /// The object of GL that OpenCL has opened and must acquire and release; null if there is none.
     virtual _cl_mem* opened() const { return nullptr; }
-    /// Lets GL bring along what compute needs of it; true if it got commands. glFinish comes after.
+    /// Lets GL copy the content that compute needs. Returns true if GL got commands. glFinish comes
+    /// after.
     virtual bool leave_gl() { return false; }
     /// GL is done (glFinish was called); compute takes over.
     virtual void enter_compute() {}
-    /// Submits what must follow the kernels before GL may look; clFinish comes after.
+    /// Submits the commands that must follow the kernels before GL may read. clFinish comes after.
     virtual void leave_compute() {}
-    /// Kernels are done; lets GL take the content where that takes a copy.
+    /// Kernels are done. Copies the content to GL if the mode needs a copy.
     virtual void enter_gl() {}
 
     bool with_gl_ = true;

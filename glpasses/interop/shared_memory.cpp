@@ -10,7 +10,7 @@
 namespace lineatlas::interop {
 namespace {
 
-/// What OpenCL has opened.
+/// Memory of another API that OpenCL has opened.
 class OpenedMemory : public SharedMemory {
   protected:
     using SharedMemory::SharedMemory;
@@ -42,7 +42,7 @@ class GlSharingMemory final : public OpenedMemory {
     }
 };
 
-/// Memory of a Vulkan device that both have imported.
+/// Memory of a Vulkan device that both GL and OpenCL have imported.
 class ExternalMemory final : public OpenedMemory {
   public:
     ExternalMemory(const ExternalObjects& objects, std::size_t bytes, const Purpose& purpose)
@@ -53,7 +53,7 @@ class ExternalMemory final : public OpenedMemory {
     }
 };
 
-/// Runs what may fail with a device that is lost, where nothing can be done about that.
+/// Runs an action whose failure with a lost device does not matter.
 template <class Action>
 void quietly(Action&& action) {
     try {
@@ -81,9 +81,9 @@ class HostPointerMemory final : public SharedMemory {
         device.begin_host_access(*compute_);
     }
     ~HostPointerMemory() override {
-        // The wrapper must be gone before GL takes its memory away, and so must what works on it:
-        // an error may have ended a frame with kernels on their way. PoCL 3.1 keeps for ever what
-        // is released while it is mapped.
+        // The wrapper must be gone before GL frees its memory, and kernels must be done: an error
+        // may have ended a frame before its kernels. PoCL 3.1 never frees a buffer that is released
+        // while it is mapped.
         if (is_with_gl()) quietly([&] { device_.end_host_access(*compute_); });
         quietly([&] { device_.finish(); });
         compute_.reset();
@@ -107,7 +107,8 @@ class CopiedMemory final : public SharedMemory {
         gl::allocate(gl_, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT, purpose);
     }
     ~CopiedMemory() override {
-        if (!between_.empty()) quietly([&] { device_.finish(); }); // may be on its way from there
+        // A copy from there may still run.
+        if (!between_.empty()) quietly([&] { device_.finish(); });
     }
 
   private:
@@ -139,8 +140,8 @@ class CopiedMemory final : public SharedMemory {
     compute::Device& device_;
     const Purpose& purpose_;
     gl::Buffer mapped_;
-    std::span<std::byte> between_;  ///< all of mapped_; empty until something crosses
-    std::span<std::byte> crossing_; ///< what is on its way
+    std::span<std::byte> between_;  ///< all of mapped_; empty until something is copied
+    std::span<std::byte> crossing_; ///< the part that is being copied
 };
 
 std::unique_ptr<SharedMemory> make_memory(const Sharing& sharing, std::size_t bytes,

@@ -21,16 +21,16 @@ class SharedMemory : public Shared {
     GLuint gl() const { return gl_.id(); }           ///< for GL, while GL has it
     compute::Buffer& compute() { return *compute_; } ///< for stages, while compute has it
 
-    // What crosses where each side has memory of its own: the first `used` bytes, once they have
-    // been written. What kernels write is counted by their launches.
+    // The content that is copied if each side has memory of its own: the first `used` bytes, once
+    // they have been written. Launches count what kernels write.
     std::size_t used = 0;
     bool gl_wrote = false, host_wrote = false;
 
   protected:
     explicit SharedMemory(std::size_t size) : size_(size) {}
-    /// Bytes that GL has written since compute had it.
+    /// Bytes that GL has written since compute had the memory.
     std::size_t written_by_gl() { return std::exchange(gl_wrote, false) ? used : 0; }
-    /// Bytes that kernels or the host have written since GL had it.
+    /// Bytes that kernels or the host have written since GL had the memory.
     std::size_t written_by_compute() {
         const bool kernels = std::exchange(seen_, compute().writes()) != compute().writes();
         return std::exchange(host_wrote, false) || kernels ? used : 0;
@@ -41,7 +41,7 @@ class SharedMemory : public Shared {
 
   private:
     std::size_t size_;
-    std::uint64_t seen_ = 0; ///< compute::Buffer::writes() when GL got it
+    std::uint64_t seen_ = 0; ///< compute::Buffer::writes() when GL got the memory
 };
 
 /// Throws DeviceError when memory runs out or the mode does not work with this device.

@@ -21,15 +21,15 @@ class SharedTable {
     SharedTable(Sharing& sharing, const compute::TableName& name)
         : sharing_(&sharing), name_(&name) {}
 
-    /// Makes room for so many bytes, which is what stands in it from here on; true if the table is
-    /// new: what stood there is gone. Throws DeviceError when memory runs out or the mode does not
+    /// Makes room for `bytes` bytes, the size of the table from here on. Returns true if the table
+    /// is new and its content is gone. Throws DeviceError when memory runs out or the mode does not
     /// work with the device.
     bool fit(std::size_t bytes) {
         const bool is_new = !memory_ || memory_->size() < bytes;
         if (is_new) {
-            memory_.reset(); // it may not fit beside another
+            memory_.reset(); // another may not fit beside it
             memory_ = make_shared_memory(*sharing_, bytes, *name_);
-            sharing_->gl_works(); // has made its part of it
+            sharing_->gl_works(); // GL has made its part of the memory
         }
         memory_->used = bytes;
         return is_new;
@@ -41,24 +41,24 @@ class SharedTable {
     /// Only the first `bytes` bytes mean something.
     void set_size(std::size_t bytes) { memory_->used = bytes; }
 
-    /// For kernels, whose launches tell what they write.
+    /// The table for kernels. Their launches tell what they write.
     compute::Buffer& compute() {
         sharing_->to_compute(*memory_);
         return memory_->compute();
     }
-    /// Writes its first bytes, which are what stands in it then, as a kernel would.
+    /// Writes the first bytes, as a kernel would. Only these mean something then.
     void upload(std::span<const std::byte> data) {
         if (!data.empty()) sharing_->device().upload(compute(), data);
         memory_->used = data.size();
         memory_->host_wrote = true;
     }
-    /// For a pass that reads it.
+    /// The table for a pass that reads it.
     GLuint gl() {
         sharing_->to_gl(*memory_);
         sharing_->gl_works();
         return memory_->gl();
     }
-    /// For a pass that writes to it.
+    /// The table for a pass that writes to it.
     GLuint gl_to_write() {
         const GLuint name = gl();
         memory_->gl_wrote = true;

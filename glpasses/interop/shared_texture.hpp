@@ -7,12 +7,12 @@
 
 namespace lineatlas::interop {
 
-/// A two-dimensional GL texture opened by OpenCL as an image: gl-sharing only. The renderer passes
-/// depth as a buffer, which every mode can; see docs/interop.md.
+/// A two-dimensional GL texture that OpenCL has opened as an image. Only gl-sharing can do that.
+/// The renderer passes depth as a buffer, which every mode can; see docs/interop.md.
 class SharedTexture final : public Shared {
   public:
-    /// Opens level 0 of `texture`, whose size and format must be final and which must outlive this.
-    /// Throws DeviceError if the driver refuses, as it does for formats that OpenCL lacks.
+    /// Opens level 0 of `texture`. Its size and format must be final, and it must outlive this
+    /// object. Throws DeviceError if the driver refuses, as it does for formats that OpenCL lacks.
     SharedTexture(const compute::OpenClBackend& device, GLuint texture);
 
     const cl::Image& image() const { return image_; } ///< for kernels, while compute has it

@@ -102,7 +102,7 @@ void Sharing::pass_to_gl() {
         one->enter_gl();
         one->with_gl_ = true;
     }
-    gl_works_ = true; // it may have taken copies
+    gl_works_ = true; // GL may have made copies
     if (timer_ != nullptr) timer_->end_handover();
 }
 

@@ -32,20 +32,20 @@ std::string_view name_of(SharingMode mode);                ///< "gl-sharing", "c
 std::optional<SharingMode> mode_of(std::string_view name); ///< none: there is no such mode
 std::string mode_names();                                  ///< "gl-sharing, ..., copy"
 
-/// Whether one device alone can have a table: comparing two takes another mode.
+/// Whether only one device can have a table in this mode. Comparing two devices takes another mode.
 constexpr bool is_for_one_device(SharingMode mode) {
     return mode == SharingMode::gl_sharing || mode == SharingMode::external_memory;
 }
 
 class SharedTable;
 
-/// A compute device and the GL context of this thread, between which tables go to and fro. The only
-/// code that orders the two APIs: without cl_khr_gl_event, waiting for one before the other starts
-/// is all that the standards promise (glFinish, not glFlush, and clFinish). With it, what OpenCL
-/// has opened needs neither wait.
+/// Passes tables between a compute device and the GL context of this thread. No other code orders
+/// the two APIs. Without cl_khr_gl_event the standards promise an order only if the host waits for
+/// one API before the other starts (glFinish, not glFlush, and clFinish). With it, objects that
+/// OpenCL has opened need neither wait.
 class Sharing {
   public:
-    /// `device` must outlive it. Throws DeviceError where external_memory can't be.
+    /// `device` must outlive it. Throws DeviceError if external_memory does not work.
     Sharing(compute::Device& device, SharingMode mode);
     Sharing(const Sharing&) = delete;
     Sharing& operator=(const Sharing&) = delete;
@@ -57,17 +57,18 @@ class Sharing {
         return dynamic_cast<const ExternalObjects*>(objects_.get());
     }
 
-    /// GL gets commands: before it is done with them, compute may take nothing that it had.
+    /// Says that GL gets commands. Compute may not take a table from GL before GL is done with
+    /// them.
     void gl_works() { gl_works_ = true; }
 
-    // Nothing is done for what is there already.
+    // These do nothing for a table that is on that side already.
     void to_compute(Shared& one);
     void to_gl(Shared& one);
-    /// One wait for all: a table goes by itself when GL asks for it, but a pass that reads several
-    /// would wait for each. Tables without room are passed over.
+    /// Passes several tables to GL with one wait. SharedTable::gl() passes one table, so a pass
+    /// that reads several would wait for each. Tables without room are skipped.
     void to_gl(std::initializer_list<SharedTable*> tables);
 
-    /// Told when something is handed over; not of the end where that failed.
+    /// Is told when a hand-over begins and ends; not of the end if it fails.
     class Timer {
       public:
         virtual void begin_handover() = 0;
@@ -76,7 +77,7 @@ class Sharing {
       protected:
         ~Timer() = default;
     };
-    /// Null: nobody. It must be here until another is set.
+    /// Sets the timer, or none with null. It must live until another is set.
     void time_by(Timer* timer) { timer_ = timer; }
 
   private:
@@ -84,11 +85,11 @@ class Sharing {
 
     compute::Device& device_;
     SharingMode mode_;
-    std::unique_ptr<OpenedObjects> objects_; ///< null where OpenCL opens nothing
-    bool gl_works_ = true;                   ///< since the last glFinish
+    std::unique_ptr<OpenedObjects> objects_; ///< null if OpenCL opens nothing
+    bool gl_works_ = true;                   ///< GL got commands since the last glFinish
     Timer* timer_ = nullptr;
     std::vector<Shared*> going_;   ///< kept for their memory
-    std::vector<_cl_mem*> opened_; ///< of them
+    std::vector<_cl_mem*> opened_; ///< the opened objects of `going_`
 };
 
 } // namespace lineatlas::interop

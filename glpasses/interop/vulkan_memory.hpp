@@ -14,20 +14,21 @@ using DeviceUuid = std::array<std::uint8_t, 16>;
 /// Memory that a Vulkan device exports (VK_KHR_external_memory_fd), for others to import.
 struct ExportedMemory {
     std::size_t bytes;
-    /// The same memory. Each is an importer's own; the memory is there as long as anybody has it.
+    /// Two descriptors of the same memory, one for each importer. The memory lives as long as
+    /// anybody holds it.
     FileDescriptor for_gl, for_compute;
 };
 
-/// A Vulkan device, for its memory alone. Vulkan's library is loaded when the first is made.
+/// A Vulkan device, used for its memory alone. Making the first one loads Vulkan's library.
 class VulkanMemory {
   public:
     virtual ~VulkanMemory() = default;
-    /// At least so many bytes. Throws DeviceError.
+    /// Memory of at least `bytes` bytes. Throws DeviceError.
     virtual ExportedMemory allocate(std::size_t bytes) const = 0;
 };
 
-/// Of the device of that name; the same for all that ask, until the process ends. Throws
-/// DeviceError where Vulkan has no such device, or none that exports memory.
+/// The memory of a device. All callers get the same object, until the process ends. Throws
+/// DeviceError if Vulkan has no such device or the device does not export memory.
 const VulkanMemory& vulkan_memory(const DeviceUuid& uuid);
 
 } // namespace lineatlas::interop

@@ -16,12 +16,12 @@ namespace lineatlas::apps {
 /// `draw --certify`: checks drawings of one model by rays.
 class Certifier {
   public:
-    /// `lines` are those that are drawn, extracted of the mesh by `options`, and must outlive it.
-    /// Throws FileError when the module for rays can't be loaded.
+    /// `lines`: the lines that are drawn, extracted from the mesh by `options`; they must outlive
+    /// this object. Throws FileError if the module for rays cannot be loaded.
     Certifier(const Mesh& mesh, const LineSet& lines, const LineOptions& options);
     ~Certifier();
 
-    /// Says on stdout, and returns, what rays find in one line.
+    /// Checks a drawing. Prints the result as one line on stdout and returns it.
     std::string check(const VectorDrawing& drawing, const Camera& camera,
                       const std::filesystem::path& path) const;
 

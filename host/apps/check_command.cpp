@@ -49,7 +49,7 @@ float parse_degrees(const std::string& text) {
     return *value * radians_per_degree;
 }
 
-/// What the model's file is read with.
+/// The options with which the model's file is read.
 LoadOptions load_options(const DrawingFile& drawing) {
     LoadOptions options;
     if (const auto deflection = described(drawing.description, "--deflection"))
@@ -57,7 +57,8 @@ LoadOptions load_options(const DrawingFile& drawing) {
     return options;
 }
 
-/// What `use` makes of what the drawing says. Throws FileError where it says what no option takes.
+/// Returns the result of `use`, which parses values of the drawing. Throws FileError if a value is
+/// none that an option takes.
 template <typename Use>
 auto said_by(const std::string& path, const Use& use) {
     try {
@@ -68,7 +69,7 @@ auto said_by(const std::string& path, const Use& use) {
     }
 }
 
-/// `origin`: of the model, in its file's coordinates. Throws FileError when the drawing does not
+/// `origin`: that of the model, in its file's coordinates. Throws FileError if the drawing does not
 /// say how it was made.
 Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3 origin) {
     const auto given = [&](const char* option) {
@@ -101,7 +102,7 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
     });
 }
 
-/// Throws Error when more of the drawing is wrong than may be.
+/// Throws Error if a larger share of the drawing is wrong than allowed.
 void hold_to(double at_most, const DrawingErrors& errors, const std::string& path) {
     for (const auto& [what, share] :
          {std::pair{"missed", errors.missed_share()}, std::pair{"false", errors.false_share()}}) {
@@ -119,7 +120,7 @@ void check(const CheckArguments& arguments) {
     const DrawingFile drawing = read_drawing(arguments.drawing);
     LoadedMesh loaded =
         load_mesh_isolated(arguments.model, arguments.read.limits(), load_options(drawing));
-    // As `draw` goes about it: parts, then cuts, then lines.
+    // In the order of `draw`: parts, then cuts, then lines.
     said_by(arguments.drawing, [&] {
         const PartFilter parts{all_described(drawing.description, "--only"),
                                all_described(drawing.description, "--hide")};
@@ -144,7 +145,7 @@ void check(const CheckArguments& arguments) {
     if (!arguments.picture.empty())
         write_image(arguments.picture,
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));
-    std::fflush(stdout); // what is said of it comes after it
+    std::fflush(stdout); // messages about the result come after it
     if (arguments.at_most) hold_to(*arguments.at_most, certificate.narrow, arguments.drawing);
 }
 

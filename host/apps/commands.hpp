@@ -7,8 +7,8 @@
 
 namespace lineatlas::apps {
 
-/// A subcommand of the tool: `setup` declares its options on `app` and returns what runs it.
-/// Running throws Error.
+/// A subcommand of the tool. setup_NAME() declares its options on `app` and returns the function
+/// that runs it, which throws Error.
 using Command = std::function<void()>;
 
 Command setup_draw(CLI::App& app);    ///< lineatlas draw

@@ -13,7 +13,7 @@
 namespace lineatlas::apps {
 namespace {
 
-/// How large a camera draws what lies where.
+/// How large a camera draws things at their places.
 class DrawnSize {
   public:
     explicit DrawnSize(const Camera& camera)
@@ -23,7 +23,7 @@ class DrawnSize {
           high_(1 / std::abs(camera.projection[1][1])),
           near_(parallel_ ? 1 : camera.projection[3][2] / (camera.projection[2][2] - 1)) {}
 
-    /// Takes in what has these corners, unless it lies beside the picture.
+    /// Adds an edge or triangle by its corners, unless it lies beside the picture.
     template <class... Corners>
     void add(const Corners&... corners) {
         const std::array<glm::vec4, sizeof...(corners)> clip{clip_ * glm::vec4{corners, 1}...};
@@ -43,7 +43,7 @@ class DrawnSize {
     double size_at(const glm::vec4& p) const {
         if (parallel_) return focal_;
         const double w = std::max(double{p.w}, near_);
-        // Beside its middle a perspective picture is stretched.
+        // A perspective picture is stretched away from its middle.
         const double x = std::min(1.0, std::abs(p.x / w)) * wide_;
         const double y = std::min(1.0, std::abs(p.y / w)) * high_;
         return focal_ / w * std::sqrt(1 + x * x + y * y);
@@ -52,7 +52,7 @@ class DrawnSize {
     glm::mat4 clip_;
     double focal_;
     bool parallel_;
-    double wide_, high_; ///< half of what is seen at distance 1
+    double wide_, high_; ///< half of the width and height seen at distance 1
     double near_;
     double most_ = 0;
 };

@@ -12,14 +12,14 @@ namespace lineatlas::apps {
 /// How far chords of exact surfaces may be off in pictures, in pixels.
 inline constexpr double most_pixels_off = 0.25;
 
-/// How many pixels of a picture a unit of length takes where the camera sees something curved
-/// nearest: triangles of the mesh with different normals at their corners, and edges of the file in
-/// several pieces. 0 where it sees none.
+/// Pixels per unit of length at the nearest curved thing that the camera sees: triangles of the
+/// mesh with different normals at their corners, and edges of the file in several pieces. 0 if it
+/// sees none.
 double pixels_per_unit(const Mesh& mesh, const Camera& camera);
 
-/// The deflection that a file of exact surfaces must be read with for these pictures, where `used`
-/// is more; nothing where that will do. It is never less than a hundred-thousandth of the mesh's
-/// diagonal: where more would be needed `note` says by how much chords are off.
+/// The deflection that a file of exact surfaces must be read with for these pictures; nothing if
+/// `used` is fine enough. It is never less than a hundred-thousandth of the mesh's diagonal. If
+/// that is not fine enough, `note` says by how much chords are off.
 std::optional<double> finer_deflection(const Mesh& mesh, std::span<const Camera> cameras,
                                        double used, std::string& note);
 

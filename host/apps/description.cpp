@@ -13,8 +13,8 @@
 namespace lineatlas::apps {
 namespace {
 
-/// They say where the picture goes, which of many it is and what draws it, which makes no
-/// difference; the camera stands for itself.
+/// Options that do not change the picture: its file, its number in a sequence, and the device. The
+/// camera is described elsewhere.
 constexpr std::array<std::string_view, 21> not_of_the_picture{
     "MODEL",        "--output",     "--eye",   "--target",    "--up",          "--fov",
     "--view",       "--projection", "--at",    "--turntable", "--camera-path", "--frames",
@@ -35,7 +35,7 @@ std::string describe_drawing(const CLI::App& app, const std::string& model,
                              const std::vector<std::string>& sections, double deflection,
                              LineKindMask lines) {
     std::string text = "draw";
-    // Without its folders, which are nobody's business.
+    // Without its folders, which are private.
     if (!model.empty()) text += " " + one_word(std::filesystem::path{model}.filename().string());
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();

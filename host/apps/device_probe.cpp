@@ -23,14 +23,14 @@ constexpr std::string_view yes = "yes ";
 constexpr std::string_view no = "no ";
 constexpr std::string_view open = "open ";
 
-/// Drivers may print what they like: the answer is the last line.
+/// The answer is the last line, because drivers may print other lines before it.
 std::string last_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     const std::size_t before = text.rfind('\n');
     return before == std::string::npos ? text : text.substr(before + 1);
 }
 
-/// What a process can be asked: modes by their places, and behind them:
+/// Questions to a process, as numbers. Modes have their places; these follow.
 constexpr std::size_t kernels = interop::all_modes.size(), frames = kernels + 1;
 
 Probe probe_in_child(std::size_t index, std::size_t what, std::chrono::seconds limit) {
@@ -52,7 +52,7 @@ Probe compile_kernels(const compute::OpenClDevice& device) {
     try {
         const auto compile = [&](const DeviceOptions&) { compute::compile_all(device); };
         if (!compute::try_device(*compute::make_opencl_backend(device), "programs", compile))
-            compile({}); // where no answer is kept
+            compile({}); // which keeps no result
     } catch (const DeviceError& error) {
         return {false, error.what()};
     }

@@ -15,18 +15,18 @@ inline constexpr const char* probe_option = "--probe";
 struct Probe {
     bool works = false;
     std::string reason{};
-    bool is_known = true; ///< it was found out, and in time
+    bool is_known = true; ///< false: it was not found out in time
 };
 
 /// Has a new process of this program compile all kernels for the device at `index` of
 /// list_opencl_devices(): whatever a driver does, this returns.
 Probe probe_kernels(std::size_t index, std::chrono::seconds limit);
-/// The same of a frame that is compared to that of C++ (compute/opencl/device_trial.hpp).
+/// Has a process compare a frame of the device with that of C++ (compute/opencl/device_trial.hpp).
 Probe probe_frames(std::size_t index, std::chrono::seconds limit);
-/// The same of a mode.
+/// Has a process try a sharing mode.
 Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit);
 
-/// The other end, in that process: tries what the number `what` stands for and prints the answer.
+/// Runs in that process: tries what the number `what` stands for and prints the answer.
 void answer_probe(std::size_t index, std::size_t what);
 
 } // namespace lineatlas::apps

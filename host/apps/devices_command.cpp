@@ -55,11 +55,11 @@ nlohmann::ordered_json show(std::string_view what, const Probe& probe) {
     return {{"works", probe.works}, {"reason", probe.reason}};
 }
 
-/// Of a device, whatever the mode.
+/// The trials of a device that do not depend on the mode.
 struct Trials {
     Probe kernels, frames;
 
-    /// Whether it is of no use: one that takes long to build kernels may be.
+    /// Whether the device is of no use. A device that takes long to build kernels may be.
     bool failed() const { return failed(kernels) || failed(frames); }
 
   private:
@@ -84,7 +84,7 @@ nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& dev
     nlohmann::ordered_json json = describe(device, is_default);
     json["kernels"] = show("kernels", trials.kernels);
     json["frames"] = show("frames", trials.frames);
-    if (trials.failed()) return json; // no mode works, for the same reason
+    if (trials.failed()) return json; // no mode works then, for the same reason
     for (const interop::SharingMode mode : interop::all_modes) {
         const std::string_view name = interop::name_of(mode);
         json["modes"][std::string{name}] = show(name, probe_mode(index, mode, limit));
@@ -110,7 +110,7 @@ std::optional<std::size_t> find_default(const std::vector<compute::OpenClDevice>
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-    // Drivers' strings may hold anything.
+    // Strings of drivers may hold any bytes.
     const std::string text =
         json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
@@ -157,7 +157,7 @@ Command setup_devices(CLI::App& app) {
         ->check(CLI::Range(1, 600))
         ->capture_default_str();
     app.add_option("--json", options->json, "File to write the answers to");
-    app.add_option(probe_option, options->probe)->expected(2)->group(""); // not for people
+    app.add_option(probe_option, options->probe)->expected(2)->group(""); // hidden from --help
     return [options] {
         if (options->probe.empty()) return list_devices(*options);
         answer_probe(options->probe[0], options->probe[1]);

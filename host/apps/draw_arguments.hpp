@@ -26,13 +26,14 @@ namespace lineatlas::apps {
 /// The command line of `draw` as written; an empty member was not given.
 struct DrawArguments {
     std::string model, scene, output;
-    std::string session;                       ///< that MODEL named
-    std::vector<std::filesystem::path> models; ///< that are drawn: MODEL, or those of the session
+    std::string session; ///< the session that MODEL names
+    /// Models that are drawn: MODEL, or those of the session.
+    std::vector<std::filesystem::path> models;
     std::string size = "1024x768";
     ViewOptions view;
     float at = 0;
     std::string crease = "auto";
-    std::string silhouettes; ///< empty: as the file has normals of its surfaces or not
+    std::string silhouettes; ///< empty: chosen by whether the file has normals
     bool smooth_edges = false;
     double deflection = 0; ///< 0: not given
     SectionOptions sections;
@@ -49,12 +50,12 @@ struct DrawArguments {
     bool stats = false;
     ProfileOptions profile;
     KernelOptions kernels;
-    int repeat = 2; ///< frames that are measured; of --stats one whole, one by stages
+    int repeat = 2; ///< measured frames; for --stats whole ones and frames by stages in turn
 
     bool profiled() const { return profile.given() || kernels.given(); }
 };
 
-/// As the command line says. Throw UsageError.
+/// The values of the command line. These throw UsageError.
 Silhouettes silhouettes(const DrawArguments& arguments);
 std::optional<float> crease_angle(const DrawArguments& arguments);
 

@@ -52,11 +52,11 @@ FrameOptions frame_options(const DrawArguments& arguments, const FrameSettings& 
 }
 
 void check_range(std::string_view option, float value, float least, float most) {
-    if (value >= least && value <= most) return; // NaN is not
+    if (value >= least && value <= most) return; // false for NaN
     throw UsageError(fmt::format("{} must be from {} to {}, not {}", option, least, most, value));
 }
 
-/// Everything that can be wrong on the command line alone is found before any work starts.
+/// Finds everything that is wrong on the command line alone, before any work starts.
 void check_arguments(const DrawArguments& arguments, const FrameSettings& settings) {
     if (arguments.models.empty() == arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
@@ -112,17 +112,17 @@ OutputPlaces output_places(const DrawArguments& arguments,
     return places;
 }
 
-/// All that `draw` draws.
+/// Everything that `draw` draws.
 struct Drawing {
     const DrawArguments& arguments;
     std::string description;
     const Subject& subject;
     glm::ivec2 size;
     const FrameOptions& options;
-    const std::optional<std::vector<SequenceFrame>>& frames; ///< nothing: a single one
+    const std::optional<std::vector<SequenceFrame>>& frames; ///< nothing: a single frame
 };
 
-/// What frames are measured by: the renderer that draws them, and how it does for --stats.
+/// How frames are measured: the renderer that draws them, and its options for --stats.
 struct Measuring {
     Renderer& renderer;
     std::function<FrameStats(const Camera&, const FrameOptions&)> draw;
@@ -158,10 +158,10 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     if (arguments.profiled()) {
         FrameOptions options = drawing.options;
         options.profile = true;
-        // The picture's own frame has built kernels and made tables grow.
+        // The frame of the picture has already built kernels and made tables grow.
         for (int i = 0; i < arguments.repeat; ++i) {
             measuring->draw(camera, options);
-            glFinish(); // a frame does not begin with a wait for the strokes of the last one
+            glFinish(); // so that the next frame does not wait for the strokes of this one
         }
         profiles = renderer.take_profiles();
         arguments.profile.write(profiles, renderer.description());
@@ -201,7 +201,7 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
     draw_frames(drawing, output, &measuring);
 }
 
-/// Paths, of what `find` finds.
+/// Draws paths from the intervals that `find` returns.
 void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* measuring) {
     const PathOptions& paths = drawing.arguments.paths;
     const Subject& subject = drawing.subject;
@@ -243,8 +243,8 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
     draw_paths(drawing, find, &measuring);
 }
 
-/// Whether GL is of no use: for exact paths, unless they are measured or compared, or share
-/// buffers.
+/// Whether GL is not needed. It is not for exact paths, unless they are measured or compared or
+/// share buffers.
 bool needs_no_gl(const DrawArguments& arguments, const FrameOptions& options) {
     return is_path_file(arguments.output) && options.method == Method::exact && !arguments.stats &&
            !arguments.profiled() && arguments.device.interop.empty() &&
@@ -272,7 +272,7 @@ void draw_without_gl(const Drawing& drawing) {
     draw_paths(drawing, find, nullptr);
 }
 
-/// Takes what a session says and the command line does not. Throws Error.
+/// Takes settings of a session that the command line does not give. Throws Error.
 void take_session(DrawArguments& arguments, CLI::App& app) {
     arguments.session = arguments.model;
     const SessionFile session = read_session(arguments.session);
@@ -298,7 +298,7 @@ void take_session(DrawArguments& arguments, CLI::App& app) {
     if (!arguments.view.to_scale()) give("fov", {fmt::format("{}", view.fov)});
 }
 
-/// Paths alone say what of the mesh they show.
+/// Frees the mesh, if no paths name the parts of it that they show.
 void forget_sources(Subject& subject) {
     subject.mesh = {};
     subject.framed = std::vector<glm::vec3>{};
@@ -317,8 +317,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Style style = by_paths ? arguments.paths.on_paper(given, size) : given;
     FrameOptions options = frame_options(arguments, settings, size);
     options.style = style;
-    std::optional<ImageWriter> writer;               // paths need none, nor all that it loads
-    if (!by_paths) writer.emplace(arguments.output); // before anything starts a thread
+    // Paths need no writer and none of its libraries.
+    std::optional<ImageWriter> writer;
+    if (!by_paths) writer.emplace(arguments.output); // made before anything starts a thread
     const std::map<std::string, Image> pen_images = arguments.read.pen_images(style);
     const OutputPlaces places = output_places(arguments, pen_images);
 
@@ -327,7 +328,8 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     if (!by_paths) forget_sources(subject);
     const bool measured = arguments.stats || arguments.profiled();
-    // A frame of a sequence is the same whatever was drawn before it, and before one there is none.
+    // Frames of a sequence must not depend on the frames before, and a single frame has none
+    // before.
     options.steady = !frames && measured;
     if (frames) {
         for (const SequenceFrame& frame : *frames) places.check(output_option, frame.path);
@@ -356,7 +358,9 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
         draw_paths(drawing, renderer);
     else
         draw_pictures(drawing, renderer, *writer);
-    if (renderer.note() != note) say(renderer.note()); // the device did not build a kernel
+    if (renderer.note() != note)
+        say(renderer.note()); // another device took over, because one did
+                              // not build a kernel
     if (!arguments.device.compare_with.empty()) {
         const Renderer::Comparison equal = renderer.comparison();
         print_output(fmt::format("{}: equal in {} kernels, {} elements\n", renderer.description(),

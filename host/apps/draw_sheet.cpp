@@ -26,16 +26,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To a thousandth of a millimetre.
+/// Coordinates to a thousandth of a millimetre.
 Json list(glm::dvec2 v) {
     const auto thousandths = [](double value) { return std::round(1000 * value) / 1000; };
     return {thousandths(v.x), thousandths(v.y)};
 }
 
-/// Of a picture whose resolution nobody says: thin lines are a pixel and a half wide.
+/// The resolution of a picture if none is given. Thin lines are a pixel and a half wide.
 constexpr float usual_dpi = 150;
 
-/// Finds what cameras see, all of them by one device.
+/// Finds the lines that cameras see, with one device for all.
 class Finder {
   public:
     Finder(const DrawArguments& arguments, const LineSet& lines, const VisibilityOptions& wanted,
@@ -52,7 +52,7 @@ class Finder {
   private:
     LineVisibility visibility_;
     VisibilityOptions wanted_;
-    Style style_; ///< with the lengths of views
+    Style style_; ///< with lengths in pixels of views
 };
 
 VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
@@ -71,7 +71,7 @@ VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet
                              options.style, {.mesh = &subject.mesh});
 }
 
-/// Says so where no view shows a line.
+/// Prints a note if no view shows a line.
 void say_if_empty(const VectorSheet& sheet, const Subject& subject, LineKindMask kinds) {
     const auto is_empty = [](const VectorDrawing& drawing) { return drawing.paths.empty(); };
     if (!std::ranges::all_of(sheet.drawings, is_empty)) return;
@@ -95,7 +95,8 @@ OutputPlaces output_places(const DrawArguments& arguments) {
     return places;
 }
 
-/// The command that draws the sheet again. Unlike a picture's it needs what places cameras.
+/// The command that draws the sheet again. Unlike that of a picture it has the options that place
+/// cameras.
 std::string description_of(const DrawArguments& arguments, const CLI::App& app,
                            const Subject& subject) {
     const std::string& model = arguments.session.empty() ? arguments.model : arguments.session;
@@ -137,7 +138,7 @@ void take_longer(const VectorPath& path, const std::vector<std::uint32_t>& items
     }
 }
 
-/// Where a leader to a part may end, by the numbers of the parts list; of what is seen of them.
+/// Where a leader to each part may end, on its visible lines, by the numbers of the parts list.
 Json balloons_of(const VectorDrawing& drawing, const SheetView& view,
                  const std::vector<std::uint32_t>& items) {
     constexpr LineKindMask beside = LA_KINDS_BESIDE;
@@ -150,7 +151,7 @@ Json balloons_of(const VectorDrawing& drawing, const SheetView& view,
     return balloons;
 }
 
-/// The model, and where on the page each view of it stands, in millimetres.
+/// A summary of the model, and of the place of each view on the page in millimetres.
 Json summary_of(const Subject& subject, const VectorSheet& sheet) {
     const SheetLayout& layout = sheet.layout;
     Json views = Json::array();
@@ -194,7 +195,7 @@ void draw_sheet(const DrawArguments& arguments, const CLI::App& app) {
     picture.description = writing.description;
     write_sheet(arguments.output, drawn, writing, picture);
     if (!SheetArguments::wants_summary(arguments.view)) return;
-    // Names are as the file has them, and need not be UTF-8.
+    // Names come from the file and need not be UTF-8.
     constexpr auto replace = Json::error_handler_t::replace;
     print_output(summary_of(subject, drawn).dump(2, ' ', false, replace) + '\n');
 }

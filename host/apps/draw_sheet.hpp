@@ -9,8 +9,8 @@ namespace lineatlas::apps {
 /// The style of sheets unless --style is given.
 inline constexpr const char* sheet_style = "technical";
 
-/// `draw --views`: several views of one model on a page. What is wrong on the command line has been
-/// found. Throws Error.
+/// `draw --views`: several views of one model on a page. The command line has been checked before.
+/// Throws Error.
 void draw_sheet(const DrawArguments& arguments, const CLI::App& app);
 
 } // namespace lineatlas::apps

@@ -37,7 +37,7 @@ void print_lines(const LineSet& lines) {
         lines.times.creases, lines.times.seams, lines.times.intersections, lines.times.ridges));
 }
 
-/// Those that take most.
+/// Prints the tables that take most memory.
 void print_tables(std::vector<compute::TableMemory> tables) {
     constexpr std::ptrdiff_t most = 6;
     const auto shown = std::min(most, std::ssize(tables));
@@ -51,7 +51,7 @@ void print_tables(std::vector<compute::TableMemory> tables) {
     print_output(fmt::format("largest tables, MiB: {}\n", fmt::join(lines, ", ")));
 }
 
-/// Nothing, where there was none.
+/// Prints the times of a kind of frames, if there are any.
 void print_frames(const char* kind, const std::vector<double>& times) {
     if (times.empty()) return;
     print_output(
@@ -66,9 +66,11 @@ void measure_and_print(MeasuredFrame frame, const Renderer& renderer) {
     std::vector<std::string> stage_order;
     std::map<std::string, std::vector<double>> stage_times;
     FrameStats stats;
-    // Whole frames and stages have frames of their own: waiting between stages slows a frame down.
+    // Whole frames and stages are measured in different frames, because waiting between stages
+    // slows a frame down.
     for (int left = repeat; left > 0; --left) {
-        options.measure_stages = left % 2 == 1; // the last one: a single frame tells its stages
+        options.measure_stages = left % 2 == 1; // the last frame is by stages, so a single frame
+                                                // has them
         const auto start = std::chrono::steady_clock::now();
         stats = draw(options);
         glFinish();

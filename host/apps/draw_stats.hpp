@@ -18,7 +18,7 @@ struct MeasuredFrame {
 };
 
 /// Draws `repeat` frames and prints counts, memory and median times. Every other frame is drawn
-/// whole, the others by stages, with a wait after each; the last one is by stages.
+/// whole. The others, and so the last one, are drawn by stages with a wait after each.
 void measure_and_print(MeasuredFrame frame, const Renderer& renderer);
 
 } // namespace lineatlas::apps

@@ -8,10 +8,11 @@
 
 namespace lineatlas::apps {
 
-/// Passes frames on to `output`, and finds out which have no line and why.
+/// Passes frames on to `output`, and notes which frames have no line and why.
 class EmptyFrames final : public FrameOutput {
   public:
-    /// `kinds`: of `lines`, which are those of `output` and outlive this.
+    /// `lines`: the lines that `output` draws; they must outlive this object. `kinds`: the kinds
+    /// that are drawn.
     EmptyFrames(FrameOutput& output, const LineSet& lines, LineKindMask kinds)
         : output_(output), lines_(lines), kinds_(kinds) {}
 
@@ -20,7 +21,7 @@ class EmptyFrames final : public FrameOutput {
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override {
         return output_.is_whole(path, size);
     }
-    /// One line about all of them; empty if there is none.
+    /// One line about all empty frames; empty if there is none.
     std::string report() const;
 
   private:
@@ -28,8 +29,8 @@ class EmptyFrames final : public FrameOutput {
     const LineSet& lines_;
     LineKindMask kinds_;
     std::size_t frames_ = 0, empty_ = 0;
-    std::filesystem::path first_; ///< of the empty ones
-    std::string cause_;           ///< why that one is
+    std::filesystem::path first_; ///< the first empty frame
+    std::string cause_;           ///< why that frame is empty
 };
 
 } // namespace lineatlas::apps

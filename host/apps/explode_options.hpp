@@ -14,14 +14,14 @@ namespace lineatlas::apps {
 class ExplodeOptions {
   public:
     ExplodeOptions() = default;
-    /// As a drawing's description has them.
+    /// The values in a drawing's description.
     explicit ExplodeOptions(std::vector<std::string> values) : values_(std::move(values)) {}
     void declare(CLI::App& app, const std::string& group);
 
     bool given() const { return !values_.empty(); }
-    /// Throws UsageError for what can't be, whatever the model.
+    /// The explosion. Throws UsageError for values that are wrong for any model.
     Explosion explosion() const;
-    /// Throws UsageError for a part that there is not.
+    /// Explodes the model. Throws UsageError for a part that it does not have.
     void apply(LoadedMesh& loaded) const;
 
   private:

@@ -22,7 +22,7 @@ void print_info(const InfoArguments& arguments) {
     const LoadedMesh loaded = load_mesh_isolated(arguments.model, arguments.read.limits());
     const nlohmann::ordered_json info =
         describe_model(arguments.model, loaded, extract_lines(loaded.mesh));
-    // Names are as the file has them, and need not be UTF-8.
+    // Names come from the file and need not be UTF-8.
     constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
     print_output(arguments.json ? info.dump(2, ' ', false, replace) + '\n' : to_text(info));
 }

@@ -27,12 +27,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Code that is jumped back in.
+/// A loop of a kernel's code, which ends with a jump back.
 struct Loop {
     std::uint64_t first, last; ///< addresses of its first instruction and of the jump
     std::size_t instructions = 0;
-    std::size_t vectors = 0; ///< of them: arithmetic on several numbers at once
-    unsigned bits = 0;       ///< of the widest of these
+    std::size_t vectors = 0; ///< instructions that compute with several numbers at once
+    unsigned bits = 0;       ///< bits of the widest of these
 };
 
 struct Instruction {
@@ -46,7 +46,7 @@ std::optional<std::uint64_t> hexadecimal(std::string_view text) {
     return error == std::errc{} && end != text.data() ? std::optional{value} : std::nullopt;
 }
 
-/// Of lines such as "  1a2b:\tadd %eax,%ebx".
+/// Instructions from lines such as " 1a2b:\tadd %eax,%ebx".
 std::vector<Instruction> instructions_in(const std::string& listing) {
     std::vector<Instruction> all;
     std::istringstream lines{listing};
@@ -59,10 +59,11 @@ std::vector<Instruction> instructions_in(const std::string& listing) {
     return all;
 }
 
-/// How wide the vectors are that an instruction computes with; 0 for a single number and for what
-/// only moves them.
+/// Bits of the vectors that an instruction computes with; 0 if it computes with single numbers or
+/// only moves vectors.
 unsigned vector_bits(const std::string& instruction) {
-    // Not of bits: single numbers are made 0, or positive, by those of vectors.
+    // Bitwise instructions do not count, because compilers use those of vectors to make single
+    // numbers 0 or positive.
     static const std::regex of_x86{
         "v?p?(add|sub|mul|div|sqrt|max|min|fn?m|cmp|cvt|sll|srl|sra|abs|round)\\S*"};
     static const std::regex of_arm{".*\\bv\\d+\\.(16b|8h|4s|2d)\\b.*"};
@@ -75,7 +76,7 @@ unsigned vector_bits(const std::string& instruction) {
     return 0;
 }
 
-/// Where a jump goes.
+/// The target of a jump; nothing for other instructions.
 std::optional<std::uint64_t> target_of(const Instruction& instruction) {
     static const std::regex jump{
         "(j[a-z]+|b\\.?[a-z]*|cbn?z|tbn?z)\\s+(?:\\S+,\\s*)*([0-9a-f]+)( .*)?"};
@@ -84,13 +85,13 @@ std::optional<std::uint64_t> target_of(const Instruction& instruction) {
     return hexadecimal(parts[2].str());
 }
 
-/// From where code is jumped back to, up to the last jump there.
+/// Loops, from the target of a jump back to the last jump there.
 std::map<std::uint64_t, std::uint64_t> ranges_of_loops(const std::vector<Instruction>& code) {
     std::map<std::uint64_t, std::uint64_t> ranges;
     for (const Instruction& jump : code) {
         const auto target = target_of(jump);
         if (!target || *target > jump.address || *target < code.front().address) continue;
-        ranges[*target] = jump.address; // the last one stays
+        ranges[*target] = jump.address; // the last jump stays
     }
     return ranges;
 }
@@ -131,19 +132,19 @@ std::string disassembled(const fs::path& file, std::vector<std::string> options)
     constexpr std::chrono::seconds limit = std::chrono::minutes{2};
     options.insert(options.begin(), {"objdump", "--disassemble", "--no-show-raw-insn", "--wide"});
     options.push_back(file.string());
-    // By the shell's search for programs.
+    // env searches for the program as a shell does.
     const ChildResult result = run_child("/usr/bin/env", options, limit);
     if (result.exit_code == 0) return result.output;
     throw Error("objdump does not run; install it (package binutils)");
 }
 
-/// The program, or library, that holds the kernels. A program's own name may be no path.
+/// The program or library that holds the kernels. The name of the program itself may be no path.
 fs::path file_of(const Dl_info& place) {
     const fs::path named = place.dli_fname;
     return named.has_parent_path() ? named : fs::read_symlink("/proc/self/exe");
 }
 
-/// What its addresses are counted from.
+/// The address from which the file's addresses are counted.
 std::uintptr_t origin_of(const Dl_info& place, const fs::path& file) {
     Elf64_Ehdr header{};
     std::ifstream{file, std::ios::binary}.read(reinterpret_cast<char*>(&header), sizeof header);
@@ -161,7 +162,7 @@ std::string assembly_of_cpp(const compute::Kernel& kernel) {
                                      "--device names an OpenCL device",
                                      kernel.name));
     }
-    // One follows another; after the last comes other code.
+    // Kernels follow each other. Other code comes after the last one.
     constexpr std::uintptr_t longest = 1U << 16U;
     std::uintptr_t end = address(*own) + longest;
     for (const compute::HostKernel& other : forms)
@@ -178,7 +179,7 @@ std::string assembly_of_cpp(const compute::Kernel& kernel) {
                       disassembled(file, {option("start", address(*own)), option("stop", end)}));
 }
 
-/// The library that PoCL has made of a kernel; empty if this is not PoCL.
+/// The library that PoCL has made of a kernel; empty if the device is not of PoCL.
 fs::path library_in(const fs::path& cache, std::string_view kernel) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{cache})
         if (entry.path().filename() == std::string{kernel} + ".so") return entry.path();
@@ -187,7 +188,7 @@ fs::path library_in(const fs::path& cache, std::string_view kernel) {
 
 std::string assembly_of_opencl(const compute::Kernel& kernel, const std::string& device_name) {
     const Scratch scratch;
-    // PoCL keeps what it makes there: before it is loaded.
+    // PoCL keeps libraries in this folder. It is set before PoCL is loaded.
     ::setenv("POCL_CACHE_DIR", scratch.folder.c_str(), 1);
     ::setenv("POCL_KERNEL_CACHE", "1", 1);
     const compute::OpenClDevice device = compute::find_opencl_devices(device_name).front();

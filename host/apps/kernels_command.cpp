@@ -73,7 +73,7 @@ std::vector<std::string_view> files_in(std::string_view source) {
     return files;
 }
 
-/// What stands in `text` from `begin` up to `end`; empty where it has no `begin`.
+/// The part of `text` from `begin` up to `end`; empty if `begin` is missing.
 std::string_view between(std::string_view text, std::string_view begin, std::string_view end) {
     const std::size_t first = text.find(begin);
     if (first == text.npos) return {};
@@ -88,7 +88,7 @@ std::string declaration_of(std::string_view type, std::string_view source) {
     return fmt::format("{}{}{}", begin, between(source, begin, end), end);
 }
 
-/// `text` as comments of one line each, which may have comments within them.
+/// `text` as comments, one per line. It may have comments itself.
 std::string commented(std::string_view text) {
     std::string result;
     while (!text.empty()) {

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of KnownEdge::Kind, those that files have.
+/// Names of the values of KnownEdge::Kind that files have.
 constexpr std::array edge_names{"sharp", "smooth", "seam", "free", "wire"};
 
 template <class Vector>
@@ -37,7 +37,7 @@ Json box_json(const Bounds& box, glm::dvec3 origin) {
             {"max", list(glm::dvec3{box.max} + origin)}};
 }
 
-/// To as many digits as floats have: the last ones of a sum of products say nothing.
+/// A value rounded to the digits of a float. Further digits of a sum of products mean nothing.
 double rounded(double value) {
     return number_from(fmt::format("{:.7g}", value)).value_or(value);
 }
@@ -65,7 +65,7 @@ class Materials {
         for (std::size_t i = 0; i < triangles.size(); ++i) list_[i]["triangles"] = triangles[i];
     }
 
-    /// Of a triangle: its place in the list, or none.
+    /// The place of a triangle's material in the list, or none.
     std::size_t of(const Mesh& mesh, std::size_t triangle) const {
         return mesh.triangle_group.empty() ? none : of_group_[mesh.triangle_group[triangle]];
     }
@@ -76,7 +76,7 @@ class Materials {
     Json list_ = Json::array();
 };
 
-/// What one part, or all of a model, has.
+/// What a part, or the whole model, consists of.
 struct Counts {
     std::size_t triangles = 0, polylines = 0;
     std::set<std::size_t> materials{}; ///< places in Materials::list()
@@ -93,7 +93,7 @@ struct Counts {
     }
 };
 
-/// Per object; the file's own edges count once, however many pieces they have.
+/// Counts per object. Edges of the file count once, however many pieces they have.
 std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths,
                                 const Materials& materials) {
     const Mesh& mesh = loaded.mesh;
@@ -123,7 +123,7 @@ std::vector<Counts> count_parts(const LoadedMesh& loaded, const PartPaths& paths
     return counts;
 }
 
-/// In cubes of the model's unit; null of what is open.
+/// The volume in cubes of the model's unit; null for an open surface.
 Json volume_of(const Mesh& mesh, std::span<const glm::uvec3> triangles) {
     const std::optional<double> volume = enclosed_volume(mesh.positions, triangles);
     return volume ? Json(rounded(*volume)) : Json(nullptr);
@@ -147,7 +147,7 @@ void put_into(Json& part, const LoadedMesh& loaded, const Counts& counts) {
     part["volume"] = volume_of(loaded.mesh, counts.corners);
 }
 
-/// What is odd about what the triangles enclose.
+/// Adds notes about the volume that the triangles enclose, if it is odd.
 void add_notes_of_volume(const Json& volume, std::vector<std::string>& notes) {
     if (volume.is_null())
         notes.push_back("the surface is not closed, so it has no volume");
@@ -155,7 +155,7 @@ void add_notes_of_volume(const Json& volume, std::vector<std::string>& notes) {
         notes.push_back("the surface is turned inside out, so its volume is negative");
 }
 
-/// Per path of the model's parts.
+/// The item number of each path of the model's parts.
 std::vector<std::uint32_t> items_of(const LoadedMesh& loaded, const PartPaths& paths) {
     std::vector<std::uint32_t> items(paths.paths.size(), 0);
     std::uint32_t last = 0;

@@ -16,12 +16,12 @@ namespace lineatlas::apps {
 nlohmann::ordered_json describe_model(const std::string& file, const LoadedMesh& loaded,
                                       const LineSet& lines);
 
-/// Per triangle of the mesh the number that its part has in the parts list, and on balloons: from 1
-/// on in the order of the parts, one for all instances of a shape.
+/// Per triangle of the mesh the number of its part in the parts list and on balloons. Numbers count
+/// from 1 in the order of the parts. All instances of a shape have one number.
 std::vector<std::uint32_t> item_numbers(const LoadedMesh& loaded);
 
-/// What describe_model() says as text for people: a line for the file, and one for each part of its
-/// tree.
+/// The result of describe_model() as text for people: a line for the file, and a line for each part
+/// of its tree.
 std::string to_text(const nlohmann::ordered_json& info);
 
 } // namespace lineatlas::apps

@@ -15,7 +15,7 @@ class OutputPattern {
 
   private:
     std::string before_, after_;
-    int digits_ = 0; ///< at least; filled up with zeros
+    int digits_ = 0; ///< fewest digits; filled up with zeros
 };
 
 } // namespace lineatlas::apps

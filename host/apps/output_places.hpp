@@ -11,15 +11,15 @@ namespace lineatlas::apps {
 /// and no file may be the output of two options.
 class OutputPlaces {
   public:
-    /// A file that is read; what is none is left alone.
+    /// Adds a file that is read. Ignores a path that is no file.
     void reads(const std::filesystem::path& path);
-    /// A file that is written for `option`. Throws UsageError.
+    /// Adds a file that `option` writes. Throws UsageError if it is taken.
     void writes(std::string_view option, const std::filesystem::path& path);
-    /// The same for one of many, whose names differ among themselves.
+    /// As writes(), for one of many files whose names differ. Adds nothing.
     void check(std::string_view option, const std::filesystem::path& path) const;
 
   private:
-    std::map<std::filesystem::path, std::string> known_; ///< and what lies there
+    std::map<std::filesystem::path, std::string> known_; ///< places, and what lies there
 };
 
 } // namespace lineatlas::apps

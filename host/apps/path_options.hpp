@@ -16,19 +16,19 @@ class PathOptions {
   public:
     void declare(CLI::App& app);
 
-    /// Throws UsageError when they are wrong, given for a picture of pixels, or for a method that
-    /// knows no paths, FileError when what checks drawings or writes PDF is not installed and for a
-    /// type of paths that is not written.
+    /// Throws UsageError if options are wrong, or given for a picture of pixels or for a method
+    /// without paths. Throws FileError for an unknown type of paths, or if the module that checks
+    /// drawings or writes PDF is not installed.
     void check(const std::filesystem::path& output, Method method) const;
 
-    /// The same for a sheet, whichever type it is written as.
+    /// As check(), for a sheet of any type.
     void check_sheet(const std::filesystem::path& output, Method method) const;
 
     bool plotter() const { return plotter_; }
     bool tags() const { return !no_tags_; }
     bool certify() const { return certify_; }
-    SvgOptions svg() const; ///< of DXF and PDF too
-    /// The style of a picture of that size, with lengths of paper where there is a page.
+    SvgOptions svg() const; ///< for DXF and PDF too
+    /// The style of a picture of this size. With a page, its lengths are lengths on paper.
     Style on_paper(const Style& style, glm::ivec2 size) const;
 
   private:

@@ -13,7 +13,7 @@ class PictureOptions {
   public:
     void declare(CLI::App& app);
 
-    /// Throws UsageError, or FileError if the picture's type cannot have them.
+    /// Throws UsageError for wrong values, and FileError if the picture's type does not allow them.
     void check(const std::filesystem::path& output) const;
     bool transparent() const { return transparent_; }
     int tile_size() const { return tile_; } ///< 0: not given

@@ -81,7 +81,7 @@ void KernelOptions::write(std::span<const FrameProfile> frames, Renderer& render
                       measure_arithmetic()};
     register_counting_device();
     renderer.set_device({.compute = "counting"});
-    draw(); // tables grow, and what they were too small for is drawn again
+    draw(); // makes tables grow; a frame whose tables were too small is drawn again
     take_launch_counts();
     draw();
     const std::vector<KernelTime> kernels = kernel_times(frames, take_launch_counts(), roofs);

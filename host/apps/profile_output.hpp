@@ -14,8 +14,8 @@
 
 namespace lineatlas::apps {
 
-/// An option whose value is a file of some extension or, as "-", the terminal. It may be given
-/// several times.
+/// An option whose value is a file with one of some extensions, or "-" for the terminal. It may be
+/// given several times.
 class ReportOption {
   public:
     /// `extensions`: with their dots.
@@ -23,12 +23,13 @@ class ReportOption {
         : name_(std::move(name)), extensions_(std::move(extensions)) {}
 
     void declare(CLI::App& app, const std::string& help, const std::string& group);
-    /// Throws UsageError for another extension, FileError for a file that can't be written.
+    /// Throws UsageError for another extension. Throws FileError for a file that cannot be written.
     void check() const;
     bool given() const { return !paths_.empty(); }
-    /// Adds its files. Throws UsageError for one that is taken.
+    /// Adds its files to the places. Throws UsageError if a place is taken.
     void add_to(OutputPlaces& places) const;
-    /// Writes what `report` makes for an extension; for the terminal that is empty.
+    /// Writes the reports. `report` makes the text for an extension, which is empty for the
+    /// terminal.
     void write(const std::function<std::string(std::string_view extension)>& report) const;
 
   private:
@@ -45,13 +46,13 @@ class ProfileOptions : public ReportOption {
     void write(std::span<const FrameProfile> frames, const std::string& description) const;
 };
 
-/// `--kernels`: where it goes why each kernel takes its time.
+/// `--kernels`: where to write why each kernel takes its time.
 class KernelOptions : public ReportOption {
   public:
     KernelOptions() : ReportOption("--kernels", {".json", ".csv", ".svg"}) {}
     void declare(CLI::App& app, const std::string& group);
-    /// Counts what kernels do while `draw` draws such a frame; the renderer stays on the device
-    /// that counts.
+    /// Counts the work of kernels while `draw` draws such a frame. The renderer stays on the
+    /// counting device.
     void write(std::span<const FrameProfile> frames, Renderer& renderer,
                const std::function<void()>& draw) const;
 };
@@ -67,7 +68,7 @@ class ProfiledOutput final : public FrameOutput {
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override {
         return output_.is_whole(path, size);
     }
-    /// All of them.
+    /// All profiles so far.
     std::vector<FrameProfile> take();
 
   private:

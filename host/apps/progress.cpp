@@ -10,7 +10,7 @@
 namespace lineatlas::apps {
 namespace {
 
-constexpr std::chrono::seconds between_lines{10}; // where every line stays, in a log
+constexpr std::chrono::seconds between_lines{10}; // in a log, where every line stays
 
 std::string duration(double seconds) {
     const auto whole = static_cast<long>(seconds + 0.5);

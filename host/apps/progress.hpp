@@ -15,7 +15,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// After each frame: `done` of them are drawn.
+    /// Call after each frame. `done`: frames drawn so far.
     void show(std::size_t done);
     double seconds() const; ///< so far
     /// Removes the line from a terminal, so that something else can be printed.

@@ -9,7 +9,7 @@
 namespace lineatlas::apps {
 namespace {
 
-/// Towards the eye from a place of the model.
+/// The direction to the eye from a place of the model.
 glm::dvec3 toward_eye(const View& view, glm::dvec3 from) {
     const bool parallel = view.projection == Projection::orthographic;
     return glm::dvec3{view.eye} - (parallel ? glm::dvec3{view.target} : from);
@@ -88,7 +88,7 @@ std::vector<std::string> SectionOptions::with_sides(const Mesh& mesh, glm::dvec3
     std::vector<std::string> texts = planes_;
     const std::vector<SectionPlane> cut_by = planes(mesh, origin, view);
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (cut_by[i].side_is_given) continue; // else it is an axis
+        if (cut_by[i].side_is_given) continue; // without a side it is an axis
         const glm::dvec3 normal = cut_by[i].normal;
         texts[i].insert(0, 1, normal.x + normal.y + normal.z > 0 ? '+' : '-');
     }

@@ -15,19 +15,19 @@ namespace lineatlas::apps {
 class SectionOptions {
   public:
     SectionOptions() = default;
-    /// As a drawing's description has them; empty: not given.
+    /// The values in a drawing's description; empty: not given.
     SectionOptions(std::vector<std::string> planes, std::string hatching)
         : planes_(std::move(planes)), hatching_(std::move(hatching)) {}
     void declare(CLI::App& app, const std::string& group);
 
-    /// Throws UsageError for what can't be, whatever the model.
+    /// Throws UsageError for values that are wrong for any model.
     void check() const;
 
     bool given() const { return !planes_.empty(); }
-    /// Cuts the mesh. `origin`: of mesh and view, in the file's coordinates. What planes without a
-    /// side take away is the side that the view's eye is on. Throws UsageError.
+    /// Cuts the mesh. `origin`: that of mesh and view, in the file's coordinates. Planes without a
+    /// side take away the side that the view's eye is on. Throws UsageError.
     Section cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
-    /// The planes as written, each with the side that cut() takes away there.
+    /// The planes as written, each with the side that cut() takes away.
     std::vector<std::string> with_sides(const Mesh& mesh, glm::dvec3 origin,
                                         const View& view) const;
 

@@ -50,7 +50,7 @@ void draw_sequence(std::span<const SequenceFrame> frames, FrameOutput& output, b
     Progress progress{wanted.size()};
     std::size_t drawn = 0;
     for (const SequenceFrame* frame : wanted) {
-        // A frame that is being written when this one is stopped may be missing, too.
+        // The frame that is being written when the program is stopped may be missing too.
         stop.set_last_words("lineatlas: " + stopped_at(there + drawn, frames.size()));
         output.draw(frame->camera, frame->path);
         progress.show(++drawn);

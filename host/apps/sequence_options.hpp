@@ -15,19 +15,19 @@ namespace lineatlas::apps {
 /// --turntable, --camera-path, --frames and --resume.
 class SequenceOptions {
   public:
-    /// Both live as long as each other.
+    /// `app` must outlive this object, and this object the parsing.
     void declare(CLI::App& app);
 
-    /// Whether many frames are asked for, not one. Throws UsageError if the options contradict each
-    /// other or `output` is no name for many files.
+    /// Whether the options ask for several frames. Throws UsageError if they contradict each other
+    /// or `output` is no name for several files.
     bool given(const std::string& output) const;
     bool turns() const { return turntable_ > 0; }
     bool resume() const { return resume_; }
     const std::string& camera_path() const { return camera_path_; } ///< a file; empty: none
 
-    /// Every frame that is asked for. A turntable carries `view` around `axis`; a camera path takes
-    /// from it what its file leaves out, and is `origin` nearer to zero. Throws Error, naming the
-    /// frame.
+    /// All frames that the options ask for. A turntable carries `view` around `axis`. A camera path
+    /// takes from `view` what its file leaves out; `origin` is subtracted from its points. Throws
+    /// Error that names the frame.
     std::vector<SequenceFrame> frames(const std::string& output, const View& view, const Axis& axis,
                                       glm::ivec2 size, const Bounds& bounds,
                                       glm::dvec3 origin) const;

@@ -13,13 +13,14 @@
 namespace lineatlas::apps {
 namespace {
 
-/// A sheet has cameras and paper of its own, and is drawn once by the exact method.
+/// Options that sheets do not have. A sheet has its own cameras and paper, and is drawn once by the
+/// exact method.
 constexpr std::array not_of_sheets{
     "--at",    "--size",   "--turntable", "--camera-path",  "--frames", "--resume",
     "--units", "--margin", "--plotter",   "--certify",      "--bits",   "--tile",
     "--stats", "--repeat", "--profile",   "--compare-with", "--interop"};
 
-/// "title=Bracket" into the field of that name.
+/// Sets a field from text such as "title=Bracket".
 void set_field(SheetFields& fields, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)

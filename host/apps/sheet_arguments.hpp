@@ -19,11 +19,11 @@ class SheetArguments {
     /// `app` must outlive this object, and this object the parsing.
     void declare(CLI::App& app);
 
-    /// Throws UsageError where --field is given and no sheet is wanted, and for options of a sheet
-    /// that are wrong or of no use there, FileError for a type that holds no sheet.
+    /// Throws UsageError if --field is given without a sheet, and for options that are wrong or of
+    /// no use for a sheet. Throws FileError for a type that holds no sheet.
     void check(const ViewOptions& view, const std::filesystem::path& output) const;
 
-    /// What the sheet of a model has. `page`: nothing: a3.
+    /// The options of a model's sheet. `page`: nothing stands for a3.
     SheetOptions options(const ViewOptions& view, const std::optional<Page>& page,
                          const std::filesystem::path& model, std::optional<double> unit_of_file,
                          glm::vec3 up) const;

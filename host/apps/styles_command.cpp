@@ -34,7 +34,7 @@ void print_style(const std::string& name) {
     print_output(write_style(style, listed == styles.end() ? "" : listed->description));
 }
 
-/// At the width that images are made for best: a texel per pixel, and room for the grain.
+/// Writes pens at a good width for images: a texel per pixel, and room for the grain.
 void write_pens(const std::filesystem::path& folder) {
     for (const PenName& pen : pen_names()) {
         const std::filesystem::path path = folder / (std::string{pen.name} + ".png");

@@ -41,8 +41,8 @@ Axis vertical_axis(const Subject& subject, glm::vec3 up) {
             .direction = glm::normalize(up)};
 }
 
-/// The upward axis: as given, as the file says, or as it looks; a note says so where it looks as if
-/// it is not y.
+/// The upward axis: that of the options, that of the file, or a guess from the shape. A note says
+/// so if the guess is not y.
 glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<glm::vec3> of_file,
                 std::vector<std::string>& notes) {
     if (arguments.view.says_up()) return arguments.view.up({});
@@ -53,7 +53,7 @@ glm::vec3 up_of(const DrawArguments& arguments, const Mesh& mesh, std::optional<
     return up;
 }
 
-/// Cuts the model where --section says so; says by what.
+/// Cuts the model as --section says. Returns the planes.
 std::vector<std::string> cut(const DrawArguments& arguments, Mesh& mesh, glm::dvec3 origin,
                              View view, std::vector<std::string>& notes) {
     if (!arguments.sections.given()) return {};
@@ -72,10 +72,10 @@ std::string framing_note(const FarPart& far, glm::dvec3 origin) {
                        note_of(far), middle.x, middle.y, middle.z);
 }
 
-/// Pixels that the model's diagonal takes, about. In perspective what is nearest is drawn larger
-/// than what fills the picture from corner to corner; compact parts that fill it took 1.8 to 2.2
-/// times its shorter side. A guess that is too small costs a second reading, so there is room for a
-/// model that is drawn a tenth larger, which costs a twentieth more chords.
+/// About the pixels that the model's diagonal takes. In perspective near things are drawn larger;
+/// compact parts that fill the picture took 1.8 to 2.2 times its shorter side. A guess that is too
+/// small costs a second reading. So there is room for a model that is drawn a tenth larger, which
+/// costs a twentieth more chords.
 double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
     constexpr double nearest = 2.25, room = 1.1;
     const double whole = glm::length(glm::dvec2{size});
@@ -83,7 +83,7 @@ double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
     return room * std::max(whole, nearest * std::min(size.x, size.y));
 }
 
-/// `deflection`: of exact surfaces; 0: as the size of the picture alone says.
+/// `deflection`: that of exact surfaces; 0: by the size of the picture.
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
                      double deflection) {
     const LineOptions options{.lines = kinds,
@@ -170,7 +170,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
     return subject;
 }
 
-/// Millimetres of paper that a pixel of the picture takes. Throws UsageError when nothing says so.
+/// Millimetres of paper per pixel of the picture. Throws UsageError if no option tells them.
 double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size) {
     if (is_path_file(arguments.output)) {
         const SvgOptions svg = arguments.paths.svg();
@@ -190,7 +190,8 @@ void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 s
                                          subject.framed, subject.unit);
 }
 
-/// The frames of a sequence, if one is wanted. A turntable goes around the target if one is given.
+/// The frames of a sequence, if one is wanted. A turntable goes around the target if a target is
+/// given.
 std::optional<std::vector<SequenceFrame>> sequence_frames(const DrawArguments& arguments,
                                                           const Subject& subject, glm::ivec2 size) {
     if (!arguments.sequence.given(arguments.output)) return std::nullopt;
@@ -214,7 +215,7 @@ SheetLayout sheet_of(const DrawArguments& arguments, const Subject& subject) {
                                                  subject.name, subject.unit, subject.up));
 }
 
-/// Pixels that the largest view of a sheet takes, about.
+/// About the pixels that the largest view of a sheet takes.
 glm::ivec2 pixels_of_view(const DrawArguments& arguments) {
     constexpr double share_of_page = 0.5, pixels_per_millimetre = 10;
     const Page page = arguments.paths.svg().page.value_or(SheetOptions{}.page);
@@ -229,7 +230,7 @@ SheetSubject find_sheet_at(const DrawArguments& arguments, LineKindMask kinds, d
     return {std::move(subject), std::move(layout)};
 }
 
-/// Reads the model again where these pictures show curved faces that are too coarse; `read` does,
+/// Reads the model again if its curved faces are too coarse for these pictures. `read` reads it
 /// with a deflection.
 template <class Found, class Read>
 Found fine_enough(const DrawArguments& arguments, Found found, std::span<const Camera> cameras,

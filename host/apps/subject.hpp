@@ -16,37 +16,37 @@ struct Subject {
     std::string name;
     Mesh mesh;
     LineSet lines;
-    LineOptions line_options;      ///< by which they were found
+    LineOptions line_options;      ///< options by which the lines were found
     std::vector<glm::vec3> framed; ///< points that the camera shows unless it is placed by hand
     View view;
-    glm::vec3 up{0, 1, 0};               ///< of the model
-    glm::dvec3 origin{0};                ///< of the mesh and the view, in the file's coordinates
+    glm::vec3 up{0, 1, 0};               ///< up in the model
+    glm::dvec3 origin{0};                ///< origin of mesh and view, in the file's coordinates
     std::optional<double> unit{};        ///< of the file, in millimetres
-    std::vector<std::string> sections{}; ///< that the mesh was cut by, with their sides
-    double deflection = 0;               ///< of exact surfaces; else 0
+    std::vector<std::string> sections{}; ///< planes that cut the mesh, with their sides
+    double deflection = 0;               ///< of exact surfaces; 0 without them
     std::vector<std::string> notes{};
-    nlohmann::ordered_json summary{};   ///< as describe_model() has it, if the sheet wants one
-    std::vector<std::uint32_t> items{}; ///< then item_numbers()
+    nlohmann::ordered_json summary{};   ///< the result of describe_model(), if the sheet wants one
+    std::vector<std::uint32_t> items{}; ///< item_numbers(), if the sheet wants them
 };
 
-/// What is drawn, and the pictures of it.
+/// The subject, and the pictures to draw of it.
 struct Pictures {
     Subject subject;
-    std::optional<std::vector<SequenceFrame>> frames; ///< nothing: a single one
+    std::optional<std::vector<SequenceFrame>> frames; ///< nothing: a single picture
 };
 
-/// What is drawn on a sheet.
+/// The subject of a sheet.
 struct SheetSubject {
     Subject subject;
     SheetLayout layout;
 };
 
 /// Reads the model or makes the scene, cuts it, finds its lines and places the camera. Curved faces
-/// are as fine as the pictures show them: the model is read again where it turns out to be seen
-/// from nearer than as a whole.
+/// are as fine as the pictures need: the model is read again if a picture turns out to show it from
+/// nearer than as a whole.
 Pictures find_pictures(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size);
 
-/// The same for the sheet that --views asks for.
+/// As find_pictures(), for the sheet that --views asks for.
 SheetSubject find_sheet(const DrawArguments& arguments, LineKindMask kinds);
 
 } // namespace lineatlas::apps

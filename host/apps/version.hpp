@@ -4,7 +4,7 @@
 
 namespace lineatlas::apps {
 
-/// The version, and for each optional or separately installed part whether it is here.
+/// The version, and for each optional or separately installed part whether it is available.
 std::string version();
 
 } // namespace lineatlas::apps

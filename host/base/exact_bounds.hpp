@@ -19,26 +19,27 @@ struct ExactBounds {
         min = glm::min(min, position);
         max = glm::max(max, position);
     }
-    /// Those of the positions that `used` names and that can be drawn.
+    /// Adds the positions that `used` names, except those that cannot be drawn.
     void add_drawable(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> used);
-    /// The longest side; below zero if it holds nothing.
+    /// The longest side of the box; below zero if the box is empty.
     double extent() const;
 };
 
-/// No drawable coordinate is larger: floats hold it, and squares of its distance from others.
+/// The largest coordinate that can be drawn. Floats hold it, and squares of its distance from
+/// others.
 inline constexpr double largest_drawable = 1e15;
-/// No model is smaller: of what is, floats can't hold the squares of lengths.
+/// The smallest extent of a model. Floats cannot hold the squares of lengths of a smaller one.
 inline constexpr double smallest_extent = 1e-20;
 
 bool is_finite(glm::dvec3 position);
 bool is_drawable(glm::dvec3 position);
 
-/// What to take off positions in the box so that floats can hold what is left: zero where it lies
-/// within a thousand times its size from zero, else near its middle. Chosen so that nothing is
-/// rounded when it is taken off positions that were floats.
+/// The position to subtract from positions in the box so that floats can hold the rest: zero if the
+/// box lies within a thousand times its size from zero, else a position near its middle.
+/// Subtracting it from positions that were floats rounds nothing.
 glm::dvec3 origin_for(const ExactBounds& bounds);
 
-/// What people are told where an origin is not zero.
+/// The note for people about an origin that is not zero.
 std::string note_of_origin(glm::dvec3 origin);
 
 /// "1000,0,-20.5"

@@ -9,7 +9,7 @@ namespace lineatlas {
 /// Owns a file descriptor and closes it; can be moved, but not copied.
 class FileDescriptor {
   public:
-    /// -1: none, as system calls say it.
+    /// number: -1 for none, as system calls return it.
     explicit FileDescriptor(int number = -1) : number_(number) {}
     ~FileDescriptor() {
         if (is_open()) ::close(number_);
@@ -24,7 +24,7 @@ class FileDescriptor {
 
     bool is_open() const { return number_ >= 0; }
     int number() const { return number_; }
-    /// For an owner that closes it.
+    /// Gives the descriptor to an owner that closes it.
     int release() { return std::exchange(number_, -1); }
 
   private:

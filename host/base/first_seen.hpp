@@ -21,7 +21,7 @@ inline std::uint32_t hash_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) 
     return static_cast<std::uint32_t>(h >> 32U);
 }
 
-/// Of a position: positions that are equal have the same, -0 and 0 too.
+/// A hash of a position. Equal positions have equal hashes, -0 and 0 too.
 inline std::uint32_t hash_of(glm::vec3 at) {
     at += 0.0F; // -0 becomes 0
     return hash_of(std::bit_cast<std::uint32_t>(at.x), std::bit_cast<std::uint32_t>(at.y),
@@ -31,14 +31,15 @@ inline std::uint32_t hash_of(glm::vec3 at) {
 /// An open-addressing table from keys to the index of their first appearance.
 class FirstSeen {
   public:
-    /// For at most `expected` keys.
+    /// Makes a table for at most `expected` keys.
     explicit FirstSeen(std::size_t expected)
         : slots_(std::bit_ceil(std::max<std::size_t>(16, expected * 2)), empty_slot) {}
 
     /// The most keys that it may be given.
     std::size_t room() const { return slots_.size() / 2; }
 
-    /// The index kept for a key, which `is_key` knows by its index; `fresh` if it is new.
+    /// The index kept for a key; `fresh` if the key is new. is_key(index): whether a kept index has
+    /// the key.
     template <class IsKey>
     std::uint32_t find_or_add(std::uint32_t fresh, std::uint32_t hash, const IsKey& is_key) {
         const std::size_t mask = slots_.size() - 1;

@@ -15,8 +15,8 @@ namespace lineatlas {
 template <class Item>
 class Groups {
   public:
-    /// Calls items_of(i, add) for all i below `count`, twice; add(number, item) takes an item in,
-    /// whose number is below `numbers`.
+    /// Calls items_of(i, add) for all i below `count`, twice. add(number, item) adds an item to the
+    /// group of a number, which is below `numbers`.
     template <class ItemsOf>
     Groups(std::size_t numbers, std::size_t count, const ItemsOf& items_of) : first_(numbers + 1) {
         std::vector<std::atomic<std::uint32_t>> next(numbers);
@@ -46,7 +46,7 @@ class Groups {
     }
 
   private:
-    std::vector<std::uint32_t> first_; ///< item of each number, and the end of all
+    std::vector<std::uint32_t> first_; ///< first item of each number, and the end of all items
     std::vector<Item> items_;
 };
 

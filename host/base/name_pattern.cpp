@@ -8,7 +8,7 @@ namespace lineatlas {
 
 namespace {
 
-/// The letter that a text begins with.
+/// The first letter of a text, as its bytes.
 std::string_view first_letter(std::string_view text) {
     const auto continues = [&](std::size_t i) {
         return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
@@ -26,14 +26,14 @@ std::string_view take_letter(std::string_view& text) {
     return letter;
 }
 
-/// A letter of a pattern, which may stand behind `\`.
+/// Takes a letter off a pattern, without the `\` before it.
 std::string_view take_literal(std::string_view& pattern) {
     if (pattern.size() > 1 && pattern.front() == '\\') pattern.remove_prefix(1);
     return take_letter(pattern);
 }
 
-/// Takes `[...]` off the pattern and says whether the letter is in it; nothing where it has no end
-/// and is a letter as any other. Letters of UTF-8 are in the order of their bytes.
+/// Takes `[...]` off the pattern and says whether the letter is in it. Returns nothing if there is
+/// no `]`; then `[` is a letter as any other. Letters of UTF-8 are in the order of their bytes.
 std::optional<bool> take_set(std::string_view& pattern, std::string_view letter) {
     std::string_view rest = pattern.substr(1);
     const bool others = rest.starts_with('!') || rest.starts_with('^');
@@ -54,7 +54,8 @@ std::optional<bool> take_set(std::string_view& pattern, std::string_view letter)
     return found != others;
 }
 
-/// Takes what stands for one letter off both.
+/// Takes one letter off the name, and the part of the pattern that stands for it off the pattern.
+/// False if they do not match.
 bool take_match(std::string_view& pattern, std::string_view& name) {
     if (pattern.empty() || name.empty()) return false;
     const std::string_view letter = take_letter(name);
@@ -70,8 +71,8 @@ bool take_match(std::string_view& pattern, std::string_view& name) {
 } // namespace
 
 bool matches(std::string_view pattern, std::string_view name) {
-    // Only the last star has to be tried with more letters: what the ones before it stand for may
-    // as well be as short as it was found.
+    // Only the last star has to be tried with more letters. Stars before it may stand for as few
+    // letters as were found.
     std::optional<std::string_view> behind_star;
     std::string_view name_at_star;
     while (true) {

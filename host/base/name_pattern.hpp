@@ -9,8 +9,9 @@ namespace lineatlas {
 /// is no UTF-8 counts as a letter.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// Whether a pattern stands for a part or for something that it is in: for one name or several
-/// that follow each other in its path, as "Bolt*" and "arm/Bolt" do in "robot/arm/Bolt 2".
+/// True if a pattern matches one name of a part's path, or several names that follow each other in
+/// it. So it may name the part or something that the part is in. In "robot/arm/Bolt 2" both "Bolt*"
+/// and "arm/Bolt*" match.
 bool names_part(std::string_view pattern, std::string_view path);
 
 } // namespace lineatlas

@@ -9,8 +9,8 @@ namespace lineatlas {
 
 // Numbers in text, in C's notation whatever the locale is.
 
-/// The number that a text starts with, which is cut off it; nothing where it starts with none, or
-/// with one that the type does not hold.
+/// Cuts the number off that a text starts with, and returns it. Returns nothing if the text starts
+/// with no number, or with one that the type does not hold.
 template <class Number = double>
 std::optional<Number> take_number(std::string_view& text) {
     Number value{};

@@ -16,7 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds between_questions{50};
 
-thread_local const std::function<void()>* asked = nullptr; ///< of this thread; nullptr: nobody
+/// The question that this thread asks; nullptr: none.
+thread_local const std::function<void()>* asked = nullptr;
 thread_local Clock::time_point asked_at;
 
 } // namespace

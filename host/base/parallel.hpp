@@ -13,21 +13,21 @@ namespace lineatlas {
 // Work on all cores. The pieces do not depend on the number of cores, nor do the results if each
 // piece writes to places of its own. Without oneTBB the calling thread does all the work.
 
-/// Calls work(first, end) for pieces of [0, count), of `piece` elements each but for the last, in
-/// any order and on several threads at once. The calling thread takes part. Throws what a piece
-/// throws; pieces not begun by then are left out.
+/// Calls work(first, end) for pieces of [0, count), in any order and on several threads at once.
+/// Each piece has `piece` elements, the last one perhaps fewer. The calling thread takes part.
+/// Throws what a piece throws, and leaves out pieces that have not begun by then.
 void for_each_piece(std::size_t count, std::size_t piece,
                     const std::function<void(std::size_t first, std::size_t end)>& work);
 
-/// Calls work(first, end) for ranges that make up [0, count), as for_each_piece() does, but for
-/// work that is cheaper the longer a range is: of at least `least` / 2 elements, as long as the
-/// cores have enough of them, and where they end is not always the same. Nothing is asked between
-/// them.
+/// Calls work(first, end) for ranges that make up [0, count), for work that is cheaper in long
+/// ranges. Ranges have at least `least` / 2 elements, are as long as leaves all cores enough
+/// ranges, and do not always end at the same places. BetweenPieces does not ask between them.
+/// Otherwise as for_each_piece().
 void for_each_range(std::size_t count, std::size_t least,
                     const std::function<void(std::size_t first, std::size_t end)>& work);
 
-/// While it lives, for_each_piece() of this thread calls `ask` now and then, between two pieces.
-/// What it throws comes out there. One at a time.
+/// While it lives, for_each_piece() of this thread calls `ask` now and then, between two pieces. An
+/// exception of `ask` leaves for_each_piece(). A thread has one such object at a time.
 class BetweenPieces {
   public:
     explicit BetweenPieces(std::function<void()> ask);
@@ -39,14 +39,14 @@ class BetweenPieces {
     std::function<void()> ask_;
 };
 
-/// Asks as for_each_piece() does: for long loops of one thread.
+/// Asks as for_each_piece() does, for long loops of one thread.
 void ask_between_pieces();
 
 /// Does two things, at the same time if a core is free.
 void do_both(const std::function<void()>& one, const std::function<void()>& other);
 
-/// Elements of a piece, of work that takes some nanoseconds for each. Bits of a std::vector<bool>
-/// stand in words of 64, so that pieces of so many may write to their own.
+/// The size of pieces for work that takes some nanoseconds per element. It is a multiple of 64, so
+/// that pieces may write to their own words of a std::vector<bool>.
 inline constexpr std::size_t usual_piece = 8192;
 
 /// Calls each(i) for all i below `count`, in pieces.
@@ -78,8 +78,8 @@ std::vector<T> joined(const std::vector<std::vector<T>>& lists) {
     return all;
 }
 
-/// How many elements of `a` are among the first `count` of `a` and `b` merged; `a` goes first
-/// where both are equal.
+/// How many elements of `a` are among the first `count` of `a` and `b` merged. Of equal elements
+/// those of `a` go first.
 template <class T, class Less>
 std::size_t merged_share(std::span<const T> a, std::span<const T> b, std::size_t count,
                          const Less& less) {
@@ -94,7 +94,8 @@ std::size_t merged_share(std::span<const T> a, std::span<const T> b, std::size_t
     return low;
 }
 
-/// Sorts by an order in which only equal elements stand for each other. Takes as much memory again.
+/// Sorts a list by an order in which only equal elements are equivalent. Takes as much memory
+/// again.
 template <class T, class Less = std::less<T>>
 void sort_in_pieces(std::vector<T>& list, const Less& less = {}) {
     constexpr std::size_t piece = 4 * usual_piece;

@@ -6,8 +6,8 @@
 
 namespace lineatlas {
 
-// Text for people: messages and other output. Names in files are bytes, and some bytes are commands
-// to a terminal.
+// Text for people: messages and other output. Names in files may hold any bytes, and some bytes are
+// commands to a terminal.
 
 /// Longest message, in bytes.
 inline constexpr std::size_t longest_message = 2000;
@@ -20,7 +20,7 @@ std::string printable(std::string_view text, std::size_t most);
 /// A word out of a file, short enough to stand in a message.
 std::string printable(std::string_view word);
 
-/// The same for text of several lines: line feeds and tabulators stay.
+/// As printable(), for text of several lines: line feeds and tabulators stay.
 std::string printable_lines(std::string_view text);
 
 } // namespace lineatlas

@@ -11,7 +11,7 @@ struct Span {
     double from, to;
 };
 
-/// Sorts them and joins those with less than `gap` between them.
+/// Sorts spans and joins those with less than `gap` between them.
 inline void join_spans(std::vector<Span>& spans, double gap) {
     std::ranges::sort(spans, {}, &Span::from);
     std::size_t count = 0;

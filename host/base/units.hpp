@@ -14,7 +14,7 @@ struct NamedUnit {
 inline constexpr std::array paper_units{NamedUnit{"px", 1}, NamedUnit{"mm", 96 / 25.4},
                                         NamedUnit{"in", 96}};
 
-/// `name` in small letters.
+/// The unit with this name, which is in small letters; null if there is none.
 constexpr const NamedUnit* unit_named(std::string_view name) {
     for (const NamedUnit& unit : paper_units)
         if (unit.name == name) return &unit;

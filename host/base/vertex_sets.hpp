@@ -20,7 +20,7 @@ class VertexSets {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    /// The name of the set of both, which is the lesser of the two they had.
+    /// Unites the sets of a and b. Returns the name of the new set, the lesser of both names.
     std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);

@@ -25,7 +25,7 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr double usual_fps = 25;
 constexpr double most_frames = 1e6;
 
-// What a camera path may have, before it is parsed into memory.
+// Limits of a camera path, checked before it is parsed into memory.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{16} << 20U;
 constexpr int deepest = 8;
 
@@ -55,7 +55,7 @@ class Reader {
         }
     }
 
-    /// Throws unless `object` is one and has no other members than these.
+    /// Throws unless `object` is an object with no other members than these.
     void check_members(const Json& object, const std::string& where,
                        const std::vector<std::string>& known) const {
         if (!object.is_object()) {
@@ -181,7 +181,7 @@ CameraPath read_camera_path(const std::filesystem::path& file, const View& defau
 std::string camera_file(const View& view, glm::dvec3 origin) {
     const auto vector = [](glm::vec3 v) { return OrderedJson{v.x, v.y, v.z}; };
     const auto point = [&](glm::vec3 v) {
-        if (origin == glm::dvec3{0}) return vector(v); // with no more digits than a float has
+        if (origin == glm::dvec3{0}) return vector(v); // with the digits of a float
         const glm::dvec3 at = origin + glm::dvec3{v};
         return OrderedJson{at.x, at.y, at.z};
     };

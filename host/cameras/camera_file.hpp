@@ -13,7 +13,7 @@ namespace lineatlas {
 CameraPath read_camera_path(const std::filesystem::path& file, const View& defaults,
                             glm::dvec3 origin = glm::dvec3{0});
 
-/// The file of a path of one key, at `view`, whose points are `origin` nearer to zero.
+/// The file of a path with one key at `view`. `origin` is added to its points.
 std::string camera_file(const View& view, glm::dvec3 origin);
 
 } // namespace lineatlas

@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Starts the program in a process group of its own, what is captured on `output`.
+/// Starts the program in a process group of its own, with its captured output on `output`.
 pid_t start(const std::filesystem::path& program, const std::vector<std::string>& arguments,
             int output, Captured captured) {
     const std::string path = program.string();
@@ -44,7 +44,7 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
     return child;
 }
 
-/// Reads until the other end is closed. False when the time is over.
+/// Reads until the other end is closed. Returns false if the time is over.
 bool read_until(int input, Clock::time_point end, std::string& output) {
     std::array<char, 4096> part{};
     for (;;) {
@@ -59,7 +59,8 @@ bool read_until(int input, Clock::time_point end, std::string& output) {
     }
 }
 
-/// Closed stdout does not mean that the program has ended. False when the time is over.
+/// Waits for the end of the program, which may come after stdout is closed. Returns false if the
+/// time is over.
 bool wait_until(pid_t child, Clock::time_point end, int& status) {
     while (::waitpid(child, &status, WNOHANG) == 0) {
         if (Clock::now() >= end) return false;

@@ -10,9 +10,9 @@ namespace lineatlas {
 /// How a program ended.
 struct ChildResult {
     int exit_code = -1;     ///< -1 unless it ended by itself
-    int signal = 0;         ///< what ended it, 0 otherwise
-    bool timed_out = false; ///< it was ended, with all that it had started
-    std::string output;     ///< what it wrote
+    int signal = 0;         ///< the signal that ended it, or 0
+    bool timed_out = false; ///< it was ended, with all processes that it had started
+    std::string output;     ///< its captured output
     std::chrono::duration<double> took{};
 };
 

@@ -28,7 +28,7 @@ std::uint32_t count_of_objects(const Mesh& mesh) {
     return count;
 }
 
-/// A part for the lines of a file that says of none what it belongs to.
+/// Adds a part for the lines of a file that does not say which parts lines belong to.
 void add_part_of_lines(LoadedMesh& loaded) {
     Mesh& mesh = loaded.mesh;
     if (mesh.polylines.empty() || !mesh.polyline_object.empty()) return;
@@ -37,7 +37,7 @@ void add_part_of_lines(LoadedMesh& loaded) {
     loaded.parts.push_back({.name = "lines", .object = object});
 }
 
-/// Parts and objects of a file that has no tree: its groups by name.
+/// Makes parts and objects for a file without a tree, from its groups by name.
 void make_parts_of_groups(LoadedMesh& loaded) {
     PartPaths paths = part_paths(loaded);
     for (std::uint32_t i = 0; i < paths.paths.size(); ++i)
@@ -46,8 +46,8 @@ void make_parts_of_groups(LoadedMesh& loaded) {
     loaded.mesh.polyline_object.clear();
 }
 
-/// Puts all that a file has below a part of its name; that is the part itself where there is but
-/// one without a name.
+/// Puts all parts of a file below a part with the file's name. If the file has a single part
+/// without a name, that part gets the name.
 void plant(LoadedMesh& loaded, const std::string& name) {
     if (loaded.parts.empty()) make_parts_of_groups(loaded);
     add_part_of_lines(loaded);
@@ -60,7 +60,7 @@ void plant(LoadedMesh& loaded, const std::string& name) {
     parts.insert(parts.begin(), ModelPart{.name = name});
 }
 
-/// What extract_lines() says of edges, as a file would.
+/// Adds the kinds of edges that extract_lines() finds, in the form of a file's known edges.
 void add_known_edges(Mesh& mesh) {
     if (mesh.triangles.empty()) return;
     const LineSet lines =
@@ -82,7 +82,7 @@ void append(std::vector<T>& to, const std::vector<T>& values) {
     to.insert(to.end(), values.begin(), values.end());
 }
 
-/// One model after another.
+/// Joins models one after another.
 class Joining {
   public:
     Joining(const std::vector<NamedModel>& models) {
@@ -130,7 +130,7 @@ class Joining {
     LoadedMesh take() { return std::move(result_); }
 
   private:
-    /// Turns what stands on another axis, by a quarter, so that its front stays in front.
+    /// Turns a model with another upward axis by a quarter, so that its front stays in front.
     void stand_upright(NamedModel& model, glm::vec3 up) {
         LoadedMesh& loaded = model.loaded;
         const glm::dvec3 from = *loaded.up, to = up, side = glm::cross(from, to);
@@ -154,7 +154,7 @@ class Joining {
         return loaded.unit && result_.unit ? *loaded.unit / *result_.unit : 1;
     }
 
-    /// What is added to its positions, once scaled.
+    /// The vector to add to a model's scaled positions.
     glm::dvec3 move_of(const LoadedMesh& loaded) const {
         return scale_of(loaded) * loaded.origin - result_.origin;
     }
@@ -171,7 +171,7 @@ class Joining {
             positions.emplace_back(scale * glm::dvec3{p} + moved);
     }
 
-    /// Before the triangles: of what has none they are zero.
+    /// Adds normals, before the triangles are added. Models without normals get zeros.
     void add_normals(const Mesh& mesh) {
         std::vector<glm::vec3>& normals = result_.mesh.corner_normals;
         if (normals.empty() && mesh.corner_normals.empty()) return;
@@ -180,7 +180,7 @@ class Joining {
         normals.resize(3 * (result_.mesh.triangles.size() + mesh.triangles.size()));
     }
 
-    /// Before the triangles: what has none has no surface.
+    /// Adds surfaces, before the triangles are added. Triangles without one get none.
     void add_surfaces(const LoadedMesh& loaded) {
         KnownSurfaces& all = result_.mesh.surfaces;
         const KnownSurfaces& own = loaded.mesh.surfaces;
@@ -264,16 +264,17 @@ class Joining {
     LoadedMesh result_;
     bool knows_edges_ = false;
     std::size_t first_position_ = 0;
-    std::uint32_t objects_ = 0, shapes_ = 0, edges_ = 0; ///< so many have a number
+    std::uint32_t objects_ = 0, shapes_ = 0, edges_ = 0; ///< numbers given so far
 };
 
-/// What its file says, or else what is usual for its type.
+/// The upward axis that the file says, or the usual one of its type.
 glm::vec3 up_of(const LoadedMesh& loaded, const std::filesystem::path& file) {
     const bool z = usual_up(file) == UsualUp::z;
     return loaded.up.value_or(z ? glm::vec3{0, 0, 1} : glm::vec3{0, 1, 0});
 }
 
-/// Where files disagree about what is upwards: an axis is guessed for all of them else.
+/// Gives each model its upward axis if files disagree about it. Otherwise one axis is guessed for
+/// all of them.
 void say_up(std::vector<NamedModel>& models, std::span<const std::filesystem::path> files) {
     std::vector<glm::vec3> axes;
     for (std::size_t i = 0; i < files.size(); ++i)
@@ -282,7 +283,7 @@ void say_up(std::vector<NamedModel>& models, std::span<const std::filesystem::pa
     for (std::size_t i = 0; i < files.size(); ++i) models[i].loaded.up = axes[i];
 }
 
-/// The file's name, with a number where others have it.
+/// The file's name, with a number if other files have the same name.
 std::string name_among(std::set<std::string>& names, const std::filesystem::path& file) {
     const std::string usual = file.filename().string();
     std::string name = usual;

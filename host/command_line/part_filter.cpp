@@ -15,7 +15,7 @@
 namespace lineatlas {
 namespace {
 
-/// The names of parts, as many as a line holds.
+/// The names of parts, as many as fit into a line.
 std::string listed(const std::vector<PartPath>& paths) {
     constexpr std::size_t most = 12;
     std::set<std::string> names;

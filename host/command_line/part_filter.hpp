@@ -20,8 +20,8 @@ class PartFilter {
 
     bool given() const { return !only_.empty() || !hidden_.empty(); }
 
-    /// Takes out of the mesh what is not wanted. Throws UsageError that names the parts there are
-    /// when a pattern is the name of none, or nothing is left.
+    /// Removes unwanted parts from the mesh. Throws UsageError that names the existing parts if a
+    /// pattern matches none, or if nothing is left.
     void apply(LoadedMesh& loaded) const;
 
   private:

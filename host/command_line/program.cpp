@@ -23,7 +23,7 @@ namespace {
 constexpr int exit_failed = 1;
 constexpr int exit_usage = 2;
 
-/// Whose line on stderr it is.
+/// The program's name, which begins its lines on stderr.
 std::string_view name = "lineatlas";
 
 int fail(int code, const char* message) {
@@ -31,7 +31,7 @@ int fail(int code, const char* message) {
     return code;
 }
 
-/// An empty value is a variable of a script that was not set, not a choice.
+/// Throws for empty values: they come from variables of scripts that were not set.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
     for (const CLI::Option* option : app.get_options()) {

@@ -11,10 +11,10 @@ namespace lineatlas {
 /// after a mistake, which has been printed.
 std::optional<int> parse(CLI::App& app, int argc, char** argv);
 
-/// The body of main() for every program; `name` begins its lines on stderr. Where this process was
-/// started as a reader of files (io/isolated.hpp) it reads. Otherwise it calls `run`, whose result
-/// is the exit code; an exception becomes a line on stderr and exit code 1 or 2, and so does output
-/// that could not be written.
+/// The body of main() for every program; `name` begins its lines on stderr. A process that was
+/// started as a reader of files (io/isolated.hpp) reads. Any other calls `run`, whose result is the
+/// exit code. An exception becomes a line on stderr and exit code 1 or 2, and so does output that
+/// could not be written.
 int run_program(int argc, char** argv, int (*run)(int argc, char** argv),
                 std::string_view name = "lineatlas");
 

@@ -28,8 +28,8 @@ constexpr std::string_view mark = "session"; ///< the key that a session begins 
 constexpr std::int64_t version = 1;
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
-/// Beside frame_settings(), options that say what is drawn and how; none names a file that is
-/// written.
+/// Options beside frame_settings() that say what is drawn and how. None of them names an output
+/// file.
 constexpr std::array<std::string_view, 10> other_options{
     "size", "crease", "silhouettes", "smooth-edges", "deflection",
     "only", "hide",   "explode",     "section",      "hatching"};
@@ -47,7 +47,7 @@ std::vector<std::string> known_keys() {
     return keys;
 }
 
-/// What an option is given may be a number or a word.
+/// The value of an option as a word; it may be a number in the file.
 std::string as_word(const toml::node& node) {
     const std::optional<SettingValue> value = value_of(node);
     if (value && std::holds_alternative<std::string>(*value)) return std::get<std::string>(*value);
@@ -190,7 +190,7 @@ class Reader {
     static glm::dvec3 vector(std::string_view key, const toml::node& node) {
         const std::optional<SettingValue> value = value_of(node);
         const auto* numbers = value ? std::get_if<std::vector<double>>(&*value) : nullptr;
-        const auto good = [](double number) { return std::abs(number) <= 1e15; }; // NaN is not
+        const auto good = [](double number) { return std::abs(number) <= 1e15; }; // false for NaN
         if (numbers == nullptr || numbers->size() != 3 || !std::ranges::all_of(*numbers, good))
             throw UsageError(
                 fmt::format("{} must be three finite numbers, as in [1, 2.5, -3]", key));
@@ -224,7 +224,7 @@ std::string entry(const std::string& key, const std::vector<std::string>& values
     return fmt::format("{} = {}\n", key, values.size() == 1 ? text(values.front()) : list(values));
 }
 
-/// Paths from a folder on, where they are below it.
+/// Paths relative to a folder if they are below it.
 std::vector<std::string> named_from(const fs::path& folder, const std::vector<fs::path>& files) {
     std::vector<std::string> result;
     for (const fs::path& file : files) {
@@ -240,7 +240,7 @@ std::string vector(glm::dvec3 v) {
     return fmt::format("[{}, {}, {}]", shortest(v.x), shortest(v.y), shortest(v.z));
 }
 
-/// A style's file as a table: its lines stand below [style], its tables too.
+/// A style as a table: its lines, and its tables, stand below [style].
 std::string style_table(const Style& style) {
     std::string lines = write_style(style);
     const std::string_view tables = "[[pens]]";
@@ -303,7 +303,7 @@ View view_of(const SessionFile::NamedView& view, glm::dvec3 origin) {
     result.eye = view.eye - origin;
     result.target = view.target - origin;
     result.up = glm::normalize(view.up);
-    // As --fov has it.
+    // Computed as for --fov.
     result.fov_y = view.fov * (std::numbers::pi_v<float> / 180);
     result.projection = view.projection;
     result.near = result.far = 0;

@@ -15,7 +15,8 @@ namespace lineatlas {
 template <class Struct>
 class SettingOptions {
   public:
-    /// Both live as long as each other. `defaults`: what is so where no option says otherwise.
+    /// `app` must outlive this object, and this object the parsing. `defaults`: the values without
+    /// options, for --help.
     void declare(CLI::App& app, std::span<const SettingOf<Struct>> table, const Struct& defaults,
                  const std::string& group) {
         app_ = &app;

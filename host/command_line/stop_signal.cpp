@@ -16,7 +16,7 @@ volatile std::sig_atomic_t noted = 0;
 std::atomic<const char*> last_words = "";
 timer_t timer{};
 
-// Of handlers: what POSIX allows there, and nothing else.
+// For handlers, which may use only what POSIX allows there.
 
 void note(int signal) {
     noted = signal;

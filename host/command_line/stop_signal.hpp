@@ -17,9 +17,10 @@ class Stopped : public Error {
     int signal_;
 };
 
-/// While it lives, SIGINT (Ctrl-C) and SIGTERM are noted instead of ending the program, so that it
-/// can stop where it suits. If it has not stopped 0.2 seconds later, it ends with the exit code of
-/// Stopped all the same. The second of a kind ends it at once. One at a time.
+/// While such an object lives, SIGINT (Ctrl-C) and SIGTERM are noted and do not end the program, so
+/// that it can stop at a good moment. A program that has not stopped 0.2 seconds later ends with
+/// the exit code of Stopped all the same. The second signal of a kind ends it at once. There may be
+/// one such object at a time.
 class StopSignal {
   public:
     StopSignal();
@@ -28,11 +29,11 @@ class StopSignal {
     StopSignal& operator=(const StopSignal&) = delete;
 
     int received() const; ///< 0: none
-    /// What is said on standard error, as a line, if the program ends so.
+    /// Sets the line for standard error if the program ends so.
     void set_last_words(const std::string& line);
 
   private:
-    std::array<std::string, 2> words_; ///< those that a signal may find, and the next ones
+    std::array<std::string, 2> words_; ///< the words that a signal may find, and the next ones
     int next_ = 0;
 };
 

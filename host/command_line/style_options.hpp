@@ -14,14 +14,14 @@ namespace lineatlas {
 /// --style, --set and an option for every setting (host/style/settings.hpp).
 class StyleOptions {
   public:
-    /// Both live as long as each other.
+    /// `app` must outlive this object, and this object the parsing.
     void declare(CLI::App& app);
 
     /// The style's file, then --set, then options of their own. Throws Error.
     Style style() const;
-    /// What is drawn with unless --style is given, in place of default_style().
+    /// Sets the style without --style, in place of default_style().
     void set_usual(const Style& style) { usual_ = style; }
-    /// As --style has it: a style's name or a file; empty: none.
+    /// The value of --style: a style's name or a file; empty: none.
     const std::string& name() const { return name_; }
 
   private:

@@ -66,7 +66,7 @@ glm::ivec2 parse_size(std::string_view option, const std::string& text) {
 std::optional<float> parse_crease(std::string_view option, const std::string& text) {
     if (text == "auto") return std::nullopt;
     const std::optional<float> degrees = number_from<float>(text);
-    if (degrees && *degrees >= 0 && *degrees <= 180) // NaN is not
+    if (degrees && *degrees >= 0 && *degrees <= 180) // false for NaN
         return *degrees * std::numbers::pi_v<float> / 180;
     throw UsageError(fmt::format("{} must be auto or from 0 to 180 degrees, not {}", option, text));
 }
@@ -124,7 +124,7 @@ std::vector<int> parse_frames(std::string_view option, const std::string& text, 
         }
         for (int number = range->first; number <= *range->last; number += range->step) {
             if (known.insert(number).second) numbers.push_back(number);
-            if (*range->last - number < range->step) break; // it must not overflow
+            if (*range->last - number < range->step) break; // avoids an overflow
         }
     }
     return numbers;

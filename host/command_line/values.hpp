@@ -16,7 +16,7 @@ namespace lineatlas {
 
 glm::ivec2 parse_size(std::string_view option, const std::string& text);  ///< "1024x768"
 glm::vec3 parse_vector(std::string_view option, const std::string& text); ///< "1,-2.5,3"
-glm::dvec3 parse_point(std::string_view option, const std::string& text); ///< with all its digits
+glm::dvec3 parse_point(std::string_view option, const std::string& text); ///< in double precision
 glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", "y", "z" or a vector
 /// Numbers of frames from `first` to `last`: "7", "0-99", "0-99x5", "3-" and "3-x5" (to the end;
 /// numbers that the sequence lacks are left out), or several of these separated by commas. Each
@@ -24,7 +24,7 @@ glm::vec3 parse_up(std::string_view option, const std::string& text); ///< "x", 
 std::vector<int> parse_frames(std::string_view option, const std::string& text, int first,
                               int last);
 
-/// LineOptions::crease, in degrees or "auto".
+/// LineOptions::crease, from degrees or "auto".
 std::optional<float> parse_crease(std::string_view option, const std::string& text);
 
 /// The parts of `text` between separators.

@@ -131,7 +131,7 @@ View ViewOptions::framed(std::span<const glm::vec3> points, glm::ivec2 size, glm
 }
 
 void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const {
-    // A camera placed by hand sees planes fitted to it.
+    // The clip planes of a camera placed by hand are fitted to it.
     if (!eye_.empty()) {
         view.eye = parse_point("--eye", eye_) - origin;
         view.near = view.far = 0;
@@ -142,7 +142,7 @@ void ViewOptions::apply(View& view, glm::dvec3 origin, bool up_is_guessed) const
         view.target = target;
     }
     if (says_up() && view_.empty()) view.up = parse_up("--up", up_);
-    // From straight above a guess of up gives way.
+    // If the camera looks along a guessed up, that up is replaced.
     if (up_is_guessed &&
         glm::length(glm::cross(glm::normalize(view.target - view.eye), view.up)) < 1e-3F)
         view.up = std::abs(view.up.z) > 0.5F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};

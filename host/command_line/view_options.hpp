@@ -14,10 +14,10 @@ namespace lineatlas {
 /// --projection, --view, --views, and --scale with --unit.
 class ViewOptions {
   public:
-    /// Both live as long as each other.
+    /// `app` must outlive this object, and this object the parsing.
     void declare(CLI::App& app, const std::string& group);
 
-    /// Throws UsageError for what can't be or contradicts itself.
+    /// Throws UsageError for wrong options and for options that contradict each other.
     void check() const;
 
     bool places_eye() const { return !eye_.empty(); }
@@ -25,26 +25,26 @@ class ViewOptions {
     bool says_up() const { return !up_.empty() && up_ != "auto"; }
     bool says_target() const { return !target_.empty(); }
     bool says_direction() const { return !view_.empty() || is_sheet(); }
-    /// Whether --views asks for a sheet, and as it has them.
+    /// Whether --views asks for a sheet, and its value.
     bool is_sheet() const { return !views_.empty(); }
     const std::string& views() const { return views_; }
-    const std::string& scale() const { return scale_; } ///< as --scale has it; empty: not given
-    /// As --projection has it, of a sheet the angle of projection; empty: not given.
+    const std::string& scale() const { return scale_; } ///< the value of --scale; empty: not given
+    /// The value of --projection; for a sheet the angle of projection; empty: not given.
     const std::string& projection_name() const { return projection_; }
-    /// Millimetres in a unit of the model: as --unit says, or its file, or by --unit's default.
+    /// Millimetres per unit of the model: as --unit says, or the file, or the default of --unit.
     double unit(std::optional<double> of_file) const;
-    glm::vec3 up(glm::vec3 otherwise) const; ///< `otherwise` where --up says none
+    glm::vec3 up(glm::vec3 otherwise) const; ///< `otherwise` without --up
     Projection projection() const;
 
-    /// From the side that --view names, else from the front, right and above.
+    /// A view of all points, from the side that --view names, or from the front, right and above.
     View framed(std::span<const glm::vec3> points, glm::ivec2 size, glm::vec3 up) const;
-    /// Changes what options say otherwise. `origin`: of the view, in the file's coordinates.
-    /// `up_is_guessed`: the view's may turn where one looks along it.
+    /// Changes the view as the options say. `origin`: that of the view, in the file's coordinates.
+    /// `up_is_guessed`: the view's up may change if the camera looks along it.
     void apply(View& view, glm::dvec3 origin, bool up_is_guessed) const;
-    /// The view to the scale that --scale asks for, if a pixel is `millimetres` on paper. `points`:
-    /// must all be in the picture, unless the options place the camera themselves. Throws
-    /// UsageError that names a scale which fits. `of_file`: millimetres of the model's unit where
-    /// its file says it, in place of --unit's own default.
+    /// The view at the scale of --scale. A pixel is `millimetres` on paper. `points`: must all be
+    /// in the picture, unless options place the camera. `of_file`: millimetres of the model's unit
+    /// if its file says them, in place of the default of --unit. Throws UsageError that names a
+    /// scale which fits.
     View scaled(const View& view, double millimetres, glm::ivec2 size,
                 std::span<const glm::vec3> points, std::optional<double> of_file) const;
 
@@ -57,8 +57,8 @@ class ViewOptions {
 };
 
 /// An orthographic view at a scale, as in "1:2": a unit of the model is `unit` millimetres long, a
-/// pixel of the picture `millimetres` on paper. Throws UsageError that names a scale which fits
-/// where some of the `points` would be outside of the picture.
+/// pixel of the picture `millimetres` on paper. Throws UsageError that names a scale which fits if
+/// some of the `points` would be outside of the picture.
 View view_to_scale(const View& view, const std::string& scale, double unit, double millimetres,
                    glm::ivec2 size, std::span<const glm::vec3> points);
 

@@ -23,7 +23,7 @@ FoundDevice find_device(const DeviceOptions& options) {
         throw UsageError("visibility: nothing is shared with GL; leave out DeviceOptions::interop");
     }
     FoundDevice found{.wanted = wanted_device(options.compute, options.device)};
-    // A driver takes longer to start than most lines to find.
+    // Starting a driver takes longer than finding most lines.
     if (found.wanted.kind.empty() && found.wanted.device.empty()) found.wanted.kind = "cpp";
     if (!found.wanted.may_be_opencl()) {
         check_device_kind(found.wanted.kind);

@@ -6,11 +6,11 @@
 
 namespace lineatlas::compute {
 
-/// No kernel has more tables than that.
+/// The most tables of any kernel.
 inline constexpr std::size_t most_tables = 17;
 
-/// What a launch reads and writes if it touches its tables once: their sizes, those that are both
-/// read and written twice.
+/// Bytes that a launch reads and writes if it touches its tables once: their sizes, doubled for
+/// tables that are both read and written.
 inline std::uint64_t bytes_moved(const Launch& launch) {
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < launch.tables.size(); ++i) {

@@ -35,9 +35,9 @@ using la_mat4 = glm::mat4;
 /// which tables_of() finds among the members of groups.
 namespace kernels {
 
-/// The table that a name stands for: that of the first of the groups which has one.
+/// The table that a name stands for, in the first of the groups that has it.
 template <class Named>
-Buffer& named_table(const Named&) = delete; // none has
+Buffer& named_table(const Named&) = delete; // no group has it
 template <class Named, class Group, class... Groups>
 Buffer& named_table(const Named& named, const Group& group, const Groups&... groups) {
     if constexpr (std::is_invocable_v<Named, const Group&>)
@@ -81,11 +81,11 @@ LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KE
 /// The stages that are kernels, in the order of all_kernels().
 std::vector<std::string_view> stage_names();
 
-/// The first of a kernel's variants; the others follow it in all_kernels().
+/// The first of a kernel's variants. The others follow it in all_kernels().
 const Kernel& first_variant(std::string_view name);
 
-/// Variants count through SCAN_SATURATE 0 and 1; without NUMBERED and with it; PROBES_PER_AXIS from
-/// 1 to 4, then those TILED.
+/// A variant of a kernel. Variants are numbered through SCAN_SATURATE 0 and 1; through without
+/// NUMBERED and with it; and through PROBES_PER_AXIS 1 to 4, then the same with TILED.
 template <class K>
 const Kernel& kernel_of(std::uint32_t variant = 0) {
     static const Kernel& first = first_variant(K::name);

@@ -10,7 +10,7 @@
 
 namespace lineatlas::compute {
 
-/// A buffer of the device with these values, and with some size if there are none.
+/// A buffer of the device with these values. Without values it still has some size.
 template <class T>
 std::unique_ptr<Buffer> to_device(Device& device, const std::vector<T>& values) {
     auto buffer = device.allocate(std::max<std::size_t>(values.size(), 1) * sizeof(T));
@@ -18,7 +18,7 @@ std::unique_ptr<Buffer> to_device(Device& device, const std::vector<T>& values) 
     return buffer;
 }
 
-/// The first `count` values of a buffer; waits.
+/// The first `count` values of a buffer. Waits for the device.
 template <class T>
 std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
     std::vector<T> values(count);
@@ -26,7 +26,7 @@ std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
     return values;
 }
 
-/// One value of a buffer of them; waits.
+/// One value of a buffer. Waits for the device.
 template <class T>
 T read_one(Device& device, Buffer& buffer, std::size_t index = 0) {
     T value;

@@ -16,7 +16,7 @@
 namespace lineatlas {
 namespace {
 
-constexpr std::size_t most_changes = 1U << 16U; // beyond, who has seen none of them starts anew
+constexpr std::size_t most_changes = 1U << 16U; // after more, readers take all tables anew
 
 bool is_silhouette(const Segment& segment) {
     return (segment.tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
@@ -39,7 +39,8 @@ std::uint32_t shifted(std::uint32_t face, std::uint32_t by) {
     return face == LA_NO_FACE ? face : ((face & LA_FACE_INDEX) + by) | (face & LA_FACE_FLIPPED);
 }
 
-/// What stands where no part is: the first vertex, a triangle and segments that are points there.
+/// A segment for room without a part. It is a point at the first vertex; triangles in such room are
+/// points there, too.
 Segment empty_segment(bool candidate, std::uint32_t number) {
     const std::uint32_t face = candidate ? 0 : LA_NO_FACE;
     return {.p = 0,
@@ -52,12 +53,12 @@ Segment empty_segment(bool candidate, std::uint32_t number) {
             .tag = static_cast<std::uint32_t>(candidate ? LA_KIND_SILHOUETTE : LA_KIND_CREASE)};
 }
 
-/// Each of the tables of rooms.
+/// All members of PartRooms.
 constexpr std::array tables{&PartRooms::vertices,   &PartRooms::triangles, &PartRooms::fixed,
                             &PartRooms::candidates, &PartRooms::replaced,  &PartRooms::faces,
                             &PartRooms::corners,    &PartRooms::edges,     &PartRooms::clusters};
 
-/// What a part has.
+/// The sizes that a part uses.
 PartRooms sizes_of(const LineSet& part) {
     const auto silhouettes =
         count_of(static_cast<std::size_t>(std::ranges::count_if(part.segments, is_silhouette)));
@@ -77,7 +78,7 @@ PartRooms sizes_of(const LineSet& part) {
     return sizes;
 }
 
-/// What it needs.
+/// The sizes of the rooms that a part needs.
 PartRooms sizes_for(const LineSet& part) {
     PartRooms sizes = sizes_of(part);
     ++sizes.vertices.size;
@@ -106,7 +107,8 @@ class Layout {
             state_.parts, [&](const auto& one) { return gone(one) && fits(sizes, one.rooms); });
         const bool has_place = place != state_.parts.end();
         if (!has_place) {
-            place = std::ranges::find_if(state_.parts, gone); // its rooms wait for the next layout
+            // The rooms of a place that is too small stay unused until the next layout.
+            place = std::ranges::find_if(state_.parts, gone);
             const bool is_next = place == state_.parts.end();
             if (!has_room(sizes, is_next ? 1 : 0)) lay_out(sizes);
             if (is_next) {
@@ -123,7 +125,8 @@ class Layout {
         return object;
     }
 
-    /// For so many parts, which together have these sizes: once, rather than step by step.
+    /// Makes room for this many parts, whose sizes together are `sizes`, with one new layout at
+    /// most.
     void make_room(const PartRooms& sizes, std::uint32_t parts) {
         if (!has_room(sizes, parts)) lay_out(sizes, parts);
     }
@@ -142,7 +145,8 @@ class Layout {
         note(object);
     }
 
-    /// New tables for the parts that there are and others of these sizes, with room.
+    /// Makes new tables for the present parts and for `parts` more, whose sizes together are
+    /// `next`.
     void lay_out(const PartRooms& next, std::uint32_t parts = 1) {
         static std::atomic<std::uint64_t> last_layout{0};
         std::vector<std::pair<std::uint32_t, LineSet>> kept;
@@ -153,8 +157,8 @@ class Layout {
             add_sizes(sum, sizes_for(kept.back().second));
         }
         LineSet& lines = state_.lines;
-        // The first vertex and the first triangle are what stands in empty room, and the first
-        // corner and the first edge of contours, if there are any.
+        // Empty rooms use the first vertex and the first triangle, and the first corner and the
+        // first edge of contours if there are any.
         const std::uint32_t one = sum.faces.size > 0 ? 1 : 0;
         state_.used = {};
         state_.used.vertices.size = state_.used.triangles.size = state_.used.clusters.size = 1;
@@ -199,7 +203,7 @@ class Layout {
     }
 
   private:
-    /// Of the triangles of a part, among those of all.
+    /// The groups and colours of a part's triangles as numbers in the tables of all parts.
     struct Numbers {
         std::vector<std::uint32_t> groups;
         std::vector<std::uint16_t> colors;
@@ -295,7 +299,7 @@ class Layout {
             segment.q += vertex;
             segment.face_a = shifted(segment.face_a, triangle);
             segment.face_b = shifted(segment.face_b, triangle);
-            segment.path = at - segment.from_start; // a number that no other path has
+            segment.path = at - segment.from_start; // a number of no other path
             lines.segments[at] = segment;
             lines.sources[at] = part.sources[i];
             ++lines.kind_counts[segment.tag & LA_TAG_KIND_MASK];

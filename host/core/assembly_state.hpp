@@ -21,14 +21,15 @@ struct PartRoom {
 
 /// The pieces of all tables that belong to one part.
 struct PartRooms {
-    PartRoom vertices;   ///< one more than it has, so that its last one's lists have an end
-    PartRoom triangles;  ///< as many as it has
+    PartRoom vertices;   ///< one more than the part has, so that the lists of its last vertex have
+                         ///< an end
+    PartRoom triangles;  ///< as many as the part has
     PartRoom fixed;      ///< of LineSet::segments
-    PartRoom candidates; ///< the same, silhouettes; counted from the first of all
-    PartRoom replaced;   ///< the same, those that contours stand for
-    PartRoom faces;      ///< the same, contours; of Contours::faces
+    PartRoom candidates; ///< silhouettes in LineSet::segments, counted from first_candidate
+    PartRoom replaced;   ///< silhouettes that contours stand for, from first_replaced
+    PartRoom faces;      ///< contours, from first_face; also of Contours::faces
     PartRoom corners;    ///< of Contours::corners
-    PartRoom edges;      ///< of Contours::edges; one more than it has, as of vertices
+    PartRoom edges;      ///< of Contours::edges; one more than the part has
     PartRoom clusters;   ///< of SceneBuffers
     bool operator==(const PartRooms&) const = default;
 };
@@ -36,35 +37,35 @@ struct PartRooms {
 /// What an Assembly consists of.
 struct AssemblyState {
     struct Part {
-        PartRooms rooms{}; ///< kept when it is gone, for one that fits
+        PartRooms rooms{}; ///< kept for another part when this one is gone
         bool is_there = false;
-        PartRooms has{}; ///< sizes only, what of them it uses
+        PartRooms has{}; ///< sizes only: how much of `rooms` it uses
         Bounds box{};
     };
-    /// A part that has come, gone or both.
+    /// A part that was added, removed or replaced.
     struct Change {
         std::uint32_t object;
-        PartRooms rooms; ///< that it had then
+        PartRooms rooms; ///< of the part after the change
     };
 
     LineSet lines;
-    std::vector<Part> parts; ///< as LineSet::objects
-    PartRooms used{};        ///< sizes only: what is given away of each table
-    /// Of LineSet::segments: fixed lines come first, contours last.
+    std::vector<Part> parts; ///< in the order of LineSet::objects
+    PartRooms used{};        ///< sizes only: how much of each table is given to parts
+    /// Places in LineSet::segments, where fixed lines come first and contours last.
     std::uint32_t first_candidate = 0, first_replaced = 0, first_face = 0;
     std::uint32_t cluster_count = 0, object_room = 0;
-    /// Of this layout of the tables, which no other assembly has; after another one nothing is
-    /// where it was.
+    /// The number of this layout of the tables, unique among all assemblies. A new layout moves
+    /// everything.
     std::uint64_t layout = 0;
-    std::vector<Change> changes{}; ///< since then
+    std::vector<Change> changes{}; ///< since this layout was made
 
     std::map<std::array<float, 3>, std::uint16_t> colors{};
     using GroupKey = std::tuple<std::string, std::string, std::optional<std::array<float, 3>>>;
     std::map<GroupKey, std::uint32_t> groups{};
 };
 
-/// Rooms as they lie in LineSet::segments: of fixed lines, candidates, those that are replaced, and
-/// contours.
+/// The rooms of fixed lines, candidates, replaced candidates and contours, as places in
+/// LineSet::segments.
 inline std::array<PartRoom, 4> segment_rooms(const AssemblyState& state, const PartRooms& rooms) {
     const auto from = [](std::uint32_t first, PartRoom room) {
         return PartRoom{.first = first + room.first, .size = room.size};
@@ -73,8 +74,8 @@ inline std::array<PartRoom, 4> segment_rooms(const AssemblyState& state, const P
             from(state.first_replaced, rooms.replaced), from(state.first_face, rooms.faces)};
 }
 
-/// A part by itself: its indices count from 0, its segments are its fixed ones, then candidates.
-/// Of groups and colours it has numbers of the whole.
+/// A part by itself. Its indices count from 0, and its fixed segments come before its candidates.
+/// Its groups and colours keep their numbers in the whole.
 LineSet part_lines(const AssemblyState& state, std::uint32_t object);
 
 } // namespace lineatlas

@@ -25,9 +25,9 @@ void check_field_of_view(float fov_y) {
     throw UsageError("camera: the field of view must lie between 0 and 180 degrees");
 }
 
-/// Near and far distances that just hold the bounds: of a perspective view in front of the eye.
-/// Inside a model its near plane is a fixed small share of the far distance: depth precision
-/// against what may be cut off.
+/// The near and far distances that just hold the bounds. In a perspective view both lie in front of
+/// the eye. For an eye within a model the near distance is a small, fixed share of the far one: a
+/// smaller share costs depth precision, a larger one cuts off more.
 glm::vec2 fit_planes(const View& view, const Bounds& bounds) {
     const glm::vec3 forward = glm::normalize(view.target - view.eye);
     float nearest = std::numeric_limits<float>::infinity();
@@ -55,7 +55,8 @@ struct NamedDirection {
     std::string_view name;
     float azimuth, elevation; ///< degrees
 };
-// Dimetric: the front's axis leaves sqrt(1 - 7/9) of its length, the others sqrt(1 - 1/9).
+// In the dimetric view the front's axis keeps sqrt(1 - 7/9) of its length, the others sqrt(1 -
+// 1/9).
 constexpr std::array named_directions{
     NamedDirection{"front", 0, 0},
     NamedDirection{"back", 180, 0},
@@ -255,7 +256,8 @@ View frame_points_from(const ViewDirection& direction, std::span<const glm::vec3
     }
     float forward = std::min((horizontal.high - horizontal.low) / (2 * tan_x),
                              (vertical.high - vertical.low) / (2 * tan_y));
-    // Clear of the nearest point also where the frame's borders would let the eye touch it.
+    // The eye keeps clear of the nearest point, even if the frame's borders would let it touch the
+    // point.
     constexpr float clearance = 5e-3F;
     const float extent = glm::length(bounds.max - bounds.min);
     float nearest = 0;
@@ -263,7 +265,7 @@ View frame_points_from(const ViewDirection& direction, std::span<const glm::vec3
         nearest = std::min(nearest, -glm::dot(point - center, toward_eye));
     }
     forward = std::min(forward, nearest - (extent > 0 ? clearance * extent : 1.0F));
-    // Along the axis with room to spare, the model's outline is centred on the screen.
+    // The axis with room to spare centres the model's outline on the screen.
     const auto centred = [&](const Borders& borders, float tan, glm::vec3 axis) {
         float low = borders.low + tan * forward;
         float high = borders.high - tan * forward;

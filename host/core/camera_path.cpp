@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_frames = 1e6;
 
-/// A cubic from a to b over `length`, with the slopes at both.
+/// The cubic from a to b over `length` with these slopes at its ends.
 template <class T>
 T cubic(T a, T b, T slope_a, T slope_b, double length, double s) {
     const double rest = 1 - s;
@@ -21,20 +21,22 @@ T cubic(T a, T b, T slope_a, T slope_b, double length, double s) {
            slope_a * (length * s * rest * rest) - slope_b * (length * s * s * rest);
 }
 
-/// The slope at a key between the slopes to the one before and the one after: that of the parabola
-/// through all three. A camera that rests on one side comes to rest at the key.
+/// The slope at a key: that of the parabola through the key and its two neighbours. `before` and
+/// `after` are the slopes to the neighbours. A camera that rests on one side comes to rest at the
+/// key.
 glm::dvec3 slope_at(glm::dvec3 before, glm::dvec3 after, double from, double to) {
     if (before == glm::dvec3{0} || after == glm::dvec3{0}) return glm::dvec3{0};
     return (before * to + after * from) / (from + to);
 }
 
-/// The same for a single number, which never leaves the range of its keys (Fritsch and Butland).
+/// The slope for a single number. The number never leaves the range of its keys (Fritsch and
+/// Butland).
 double slope_at(double before, double after, double from, double to) {
     if (before * after <= 0) return 0;
     return 3 * (from + to) / ((2 * to + from) / before + (to + 2 * from) / after);
 }
 
-/// `value(i)`: of key i; `time(i)`: its frame. Between keys i and i + 1.
+/// The value between keys i and i + 1. `value(k)`: that of key k; `time(k)`: its frame.
 template <class Value, class Time>
 auto interpolate(const Value& value, const Time& time, std::size_t count, std::size_t i, double s) {
     const auto length = [&](std::size_t k) { return time(k + 1) - time(k); };
@@ -70,7 +72,7 @@ int CameraPath::last_frame() const {
 }
 
 View CameraPath::view(double frame) const {
-    if (!(frame > keys_.front().frame)) return keys_.front().view; // of no number, too
+    if (!(frame > keys_.front().frame)) return keys_.front().view; // NaN, too
     if (frame >= keys_.back().frame) return keys_.back().view;
     const auto after = std::ranges::upper_bound(keys_, frame, {}, &Key::frame);
     const auto i = static_cast<std::size_t>(after - keys_.begin()) - 1;

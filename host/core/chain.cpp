@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint32_t no_end = std::numeric_limits<std::uint32_t>::max();
 
-/// Pairing compares every two edges at a vertex; above this many (the apex of a fan) nothing
-/// continues recognisably, and paths end there.
+/// Pairing compares every two edges at a vertex. At a vertex with more edges than this (the apex of
+/// a fan) no path continues recognisably, and all paths end.
 constexpr std::size_t most_edges_paired = 64;
 
 // An edge end is 2 * edge + (0 at p, 1 at q).
@@ -61,7 +61,8 @@ class Chainer {
             follow(end);
             ends.push_back(steps_.size());
         };
-        // Open paths first, from the ends that nothing continues; what is left are loops.
+        // Open paths come first, from the ends that nothing continues. The remaining edges form
+        // loops.
         for (std::uint32_t end = 0; end < linked_.size(); ++end)
             if (linked_[end] == no_end && !walked_[end / 2]) follow_to_end(end);
         const std::size_t open_count = ends.size();
@@ -83,7 +84,7 @@ class Chainer {
         return length > 0 ? d / length : glm::vec3{0};
     }
 
-    /// Room for what is found at a vertex.
+    /// Memory for the work at one vertex.
     struct Scratch {
         std::vector<glm::vec3> inward; ///< of its ends
         std::vector<Continuation> candidates;
@@ -100,7 +101,7 @@ class Chainer {
                 const std::uint32_t kind = edges_[ends[i] / 2].kind;
                 if (kind != edges_[ends[j] / 2].kind) continue;
                 const float cosine = -glm::dot(directions[i], directions[j]);
-                // The outline of a cut is one way, whatever corners it has.
+                // The outline of a cut is one path, even around sharp corners.
                 const bool goes_on = cosine >= smallest_cosine_ || kind == LA_KIND_SECTION;
                 if (goes_on) candidates.push_back({cosine, ends[i], ends[j]});
             }

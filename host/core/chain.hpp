@@ -22,7 +22,7 @@ struct ChainStep {
 };
 
 struct Chain {
-    std::span<const ChainStep> steps; ///< of the Chains that it is one of
+    std::span<const ChainStep> steps; ///< into those of its Chains
     bool closed = false;              ///< the last step continues in the first
 };
 

@@ -24,7 +24,7 @@ void check_finite(const glm::mat4& m, const char* name) {
             if (!std::isfinite(m[column][row])) refuse(name, "not finite");
 }
 
-/// Columns of length 1; what is 0 stays so.
+/// The matrix with columns of length 1; columns of zeros stay.
 glm::dmat4 with_unit_columns(glm::dmat4 m) {
     for (int column = 0; column < 4; ++column) {
         const double length = glm::length(m[column]);
@@ -33,9 +33,9 @@ glm::dmat4 with_unit_columns(glm::dmat4 m) {
     return m;
 }
 
-/// Whatever the units of space on either side, and however far away the origin is.
+/// The answer depends neither on the units of the two spaces nor on the distance of the origin.
 bool is_singular(const glm::mat4& m) {
-    constexpr double least = 1e-12; // of columns that are equal, rounding leaves less
+    constexpr double least = 1e-12; // rounding leaves less of equal columns
     const glm::dmat4 scaled = with_unit_columns(glm::transpose(with_unit_columns(glm::dmat4{m})));
     return !(std::abs(glm::determinant(scaled)) > least);
 }

@@ -17,7 +17,7 @@ std::string numbered(const char* what, std::size_t number) {
     throw UsageError("line set: " + what);
 }
 
-/// Which of `count` things an index of "`of` `place`" names.
+/// Throws if an index that "`of` `place`" holds names none of `count` things.
 void check_index(std::size_t index, std::size_t count, const char* things, const char* of,
                  std::size_t place) {
     if (index < count) return;
@@ -58,7 +58,7 @@ void check_triangles(const LineSet& lines) {
         check_index(lines.triangle_group[i], lines.groups.size(), "groups", "triangle_group", i);
 }
 
-/// Segments of a path are neighbours, and count each other.
+/// Checks that the segments of a path are neighbours and count each other.
 void check_path(const LineSet& lines, std::size_t i) {
     const Segment& segment = lines.segments[i];
     const bool is_last = i + 1 == lines.segments.size();

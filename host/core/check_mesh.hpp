@@ -4,11 +4,11 @@
 
 namespace lineatlas {
 
-/// Throws UsageError where a triangle or polyline has an index that no position has.
+/// Throws UsageError if a triangle or polyline has an index without a position.
 void check_indices(const Mesh& mesh);
 
-/// Throws UsageError where there are groups and Mesh::triangle_group does not name one of them for
-/// each triangle.
+/// Throws UsageError if there are groups but Mesh::triangle_group does not name one for each
+/// triangle.
 void check_groups(const Mesh& mesh);
 
 } // namespace lineatlas

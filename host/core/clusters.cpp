@@ -32,7 +32,8 @@ void split(std::span<Item> items, std::uint32_t cluster_size, const Add& add) {
     const glm::vec3 extent = high - low;
     int axis = extent.x >= extent.y ? 0 : 1;
     if (extent.z > extent[axis]) axis = 2;
-    // A multiple of the cluster size on the left, so that all clusters but the last are full.
+    // The left half gets a multiple of the cluster size, so that all clusters but the last are
+    // full.
     const std::size_t clusters = (items.size() + cluster_size - 1) / cluster_size;
     const std::size_t left = clusters / 2 * cluster_size;
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(left), items.end(),
@@ -99,7 +100,7 @@ TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
         rest = rest.subspan(count);
     }
     object = 0;
-    split(rest, cluster_size, add); // without objects: all
+    split(rest, cluster_size, add); // all triangles if there are no objects
     return result;
 }
 

@@ -17,11 +17,11 @@ struct TriangleClusters {
     std::vector<glm::uvec3> triangles;  ///< the same triangles, reordered
     std::vector<std::uint32_t> order;   ///< where each of `triangles` stood before
     std::vector<Cluster> clusters;      ///< consecutive pieces of `triangles`, with their boxes
-    std::vector<std::uint32_t> objects; ///< per cluster the one that it lies in; all 0 without any
+    std::vector<std::uint32_t> objects; ///< per cluster its object; all 0 if there are no objects
 };
 
 /// Halves the triangles at medians of their centres into clusters of up to `cluster_size`, object
-/// by object (none: all are one).
+/// by object. Without objects all triangles are of one.
 TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, std::uint32_t cluster_size,
                                 std::span<const LineObject> objects = {});

@@ -12,8 +12,8 @@ namespace lineatlas {
 /// precision of coordinates as floats.
 inline constexpr double contact_share = 2e-6;
 
-/// How far apart two things of a model may be that touch each other: `precision` is
-/// Mesh::precision, by which each of the two may be off.
+/// The largest distance between two things of a model that touch each other. Each of the two may be
+/// off by `precision` (Mesh::precision).
 inline double contact_of(double diagonal, double precision) {
     return std::max(contact_share * diagonal, 2 * precision);
 }

@@ -17,11 +17,11 @@ glm::dvec3 normal_by_angle(glm::dvec3 u, glm::dvec3 v, glm::dvec3 known) {
 
 CornerPlaces find_corner_places(const Contours& contours, std::span<const Segment> segments) {
     const std::span<const Segment> own = segments.last(contours.faces.size());
-    // Calls it with every corner of a triangle, and which of its own it is.
+    // Calls `each` with every corner of contours and the corner of a triangle there.
     const auto for_each_place = [&](const auto& each) {
         for (std::size_t i = 0; i < own.size(); ++i) {
             const glm::uvec3 face = contours.faces[i];
-            if (face.x == face.y) continue; // stands in empty room, see Assembly
+            if (face.x == face.y) continue; // in empty room, see Assembly
             for (int k = 0; k < 3; ++k) {
                 const glm::uvec2 edge = contours.edges[face[k] & ~LA_CONTOUR_TURNED];
                 const bool turned = (face[k] & LA_CONTOUR_TURNED) != 0;

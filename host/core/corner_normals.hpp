@@ -10,24 +10,25 @@
 
 namespace lineatlas {
 
-/// A corner is 3 times the number of a triangle and 0 to 2. The one after it in its triangle.
+/// The next corner of the same triangle. The number of a corner is 3 times that of its triangle,
+/// plus 0 to 2.
 constexpr std::uint32_t next_corner(std::uint32_t corner) {
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// Of a triangle with these sides at a corner, as long as their angle; `known`: in its place, if it
-/// is not zero.
+/// The normal of a triangle with sides u and v at a corner; its length is the angle between them. A
+/// `known` normal that is not zero replaces its direction.
 glm::dvec3 normal_by_angle(glm::dvec3 u, glm::dvec3 v, glm::dvec3 known);
 
-/// What has a corner of contours in common: places in LineSet::triangles, each 3 times the number
-/// of a triangle and 0 to 2. Of corner i those from offsets[i] up to offsets[i + 1].
+/// The corners of triangles that each corner of contours stands for, numbered as in next_corner().
+/// Those of corner i go from offsets[i] up to offsets[i + 1].
 struct CornerPlaces {
     std::vector<std::uint32_t> offsets, places;
 };
 CornerPlaces find_corner_places(const Contours& contours, std::span<const Segment> segments);
 
-/// Normals of contours anew, from the triangles as they stand: those about a corner, by the angles
-/// that they have there.
+/// Finds the normals of contours again from the present triangles. At a corner the normals of its
+/// triangles are weighted by their angles.
 void find_normals(LineSet& lines);
 
 } // namespace lineatlas

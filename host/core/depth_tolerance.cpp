@@ -5,13 +5,13 @@
 namespace lineatlas {
 namespace {
 
-// A surface hides a line if it stands before it by more than this many pixel widths: the line's own
-// neighbourhood, a curved surface or a third face at a corner, must not. Two pixels along the ray
-// is what bench/quality takes for the truth; along the view axis, as measured here, that is a
-// little less.
+// A surface hides a line if the surface stands before the line by more than this many pixel widths.
+// The line's own surroundings, such as a curved surface or a third face at a corner, must not hide
+// the line. The truth of bench/quality takes two pixels along the ray. Along the view axis, as
+// measured here, that is a little less.
 constexpr float depth_tolerance_pixels = 1.9F;
 
-/// Window depth that one pixel's width is worth, in the direction of sight, times w.
+/// The window depth of one pixel's width in the direction of sight, times w.
 float depth_per_pixel(const Camera& camera) {
     const glm::mat4& p = camera.projection;
     const bool perspective = std::abs(p[2][3]) > 0;

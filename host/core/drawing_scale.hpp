@@ -5,7 +5,8 @@
 
 namespace lineatlas {
 
-/// "1:50" as 0.02; both numbers from 1e-6 to 1e10. Throws UsageError that names `option`.
+/// Reads "1:50" as 0.02. Both numbers must lie between 1e-6 and 1e10. Throws UsageError that names
+/// `option`.
 double parse_scale(std::string_view option, const std::string& text);
 
 /// The largest scale of ISO 5455 that is no larger than this; empty below 1:5000000000.

@@ -12,8 +12,7 @@
 /// Prepares a copy of this process for the trial of a driver that may end the copy.
 namespace lineatlas {
 
-/// Whatever becomes of the copy, it leaves no core, prints nothing and does not outlive this
-/// process.
+/// Makes sure that the copy leaves no core file, prints nothing and does not outlive this process.
 inline void begin_driver_copy() {
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
@@ -25,7 +24,7 @@ inline void begin_driver_copy() {
     }
 }
 
-/// Takes what is to be left for a frame; ends the copy with 1 if there is not so much.
+/// Takes the memory that must be left for a frame. Ends the copy with 1 if there is less.
 inline void take_memory(std::size_t bytes) {
     void* const taken =
         ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

@@ -7,12 +7,12 @@
 
 namespace lineatlas {
 
-/// True if any of the lines lies at least partly between the camera's planes. It may be hidden, and
-/// a candidate need not be a silhouette from there.
+/// True if any of the lines lies at least partly between the camera's planes. That line may be
+/// hidden, or be a candidate that is no silhouette in this view.
 bool any_in_view(const LineSet& lines, const Camera& camera);
 
-/// Why a drawing by that camera shows none of the lines, in one line for people. `kinds`: those
-/// that they were extracted with.
+/// The reason why a drawing by that camera shows none of the lines, in one line for people. kinds:
+/// the kinds that were extracted.
 std::string why_no_line(const LineSet& lines, LineKindMask kinds, const Camera& camera);
 
 } // namespace lineatlas

@@ -34,7 +34,7 @@ inline constexpr Purpose segments{"the table of line segments",
                                   "use fewer LineOptions::lines, a larger "
                                   "LineOptions::crease, another DeviceOptions::device or "
                                   "DeviceOptions::compute cpp"};
-// What looks at all line segments together, where they come in chunks:
+// Steps that need all line segments at once, when segments come in chunks:
 inline constexpr Purpose all_halos{"a halo", "use StrokeFilter::halo 0, another "
                                              "DeviceOptions::device or DeviceOptions::compute cpp"};
 inline constexpr Purpose all_items{"an item buffer",
@@ -91,8 +91,8 @@ class OutOfMemory : public DeviceError {
         : DeviceError(beyond_limit(purpose, needed, available)) {}
 };
 
-/// A device can't hold something. Thrown where memory is allocated, which does not know what it is
-/// for; a caller that does turns it into an error about that by of().
+/// A device can't hold something. It is thrown where memory is allocated, where nobody knows the
+/// purpose of the memory. A caller that knows the purpose makes an error about it by of().
 class Shortage : public OutOfMemory {
   public:
     Shortage(std::string needed, std::string available);
@@ -113,12 +113,12 @@ auto for_purpose(const Purpose& purpose, Action&& action) -> decltype(action()) 
     }
 }
 
-/// As people write them: "512 bytes", "1.50 GiB", "640x480".
+/// Sizes as people write them: "512 bytes", "1.50 GiB", "640x480".
 std::string written_bytes(std::uint64_t bytes);
 std::string written_size(glm::ivec2 size);
 
 /// The size for a table that must hold `needed` and is likely to grow: a quarter more, but no more
-/// than `most`, which is what a table can hold.
+/// than `most`, the largest size of a table.
 constexpr std::uint64_t with_room_to_grow(std::uint64_t needed, std::uint64_t most) {
     return std::max(needed, std::min(needed + needed / 4, most));
 }

@@ -34,7 +34,7 @@ bool has_kind(const PenMatch& match, std::string_view kind) {
     return std::ranges::find(match.kinds, kind) != match.kinds.end();
 }
 
-/// What is hidden is none.
+/// Hidden lines are never outlines.
 bool is_for_outlines(const PenMatch& match) {
     return !match.hidden && has_kind(match, outline_name);
 }
@@ -63,11 +63,11 @@ std::string quoted_names(const std::set<std::string>& names) {
     return text;
 }
 
-/// Of the style's lengths in a picture of this size.
+/// The factor for the style's lengths in a picture of this size.
 float length_scale(const Style& style, glm::ivec2 size) {
     const auto shorter = static_cast<float>(std::min(size.x, size.y));
     if (!(style.made_for > 0) || !(shorter > 0)) return 1;
-    return std::max(shorter / style.made_for, 1.0F); // thinner ones would fade
+    return std::max(shorter / style.made_for, 1.0F); // thinner lines would fade
 }
 
 } // namespace

@@ -7,7 +7,8 @@
 
 namespace lineatlas {
 
-/// The value in the middle; of an even number of values the mean of the two there. NaN of none.
+/// The value in the middle; of an even number of values the mean of the two there. NaN without
+/// values.
 inline double median(std::vector<double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -16,8 +17,8 @@ inline double median(std::vector<double> values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// The value that a share of the others lies below: 0.1 for the 10th percentile. The nearest one
-/// there is; NaN of none.
+/// The value below which this share of the values lies: 0.1 for the 10th percentile. It is the
+/// nearest of `values`, or NaN without values.
 inline double quantile(std::vector<double> values, double share) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     const double last = static_cast<double>(values.size() - 1);

@@ -20,7 +20,7 @@ inline std::optional<std::string> memory_limit() {
            (least == space.rlim_cur ? "-v)" : "-d)");
 }
 
-/// A clause for messages about what may have failed for that.
+/// A clause for messages about failures that this limit may have caused.
 inline std::string memory_limit_remark() {
     const std::optional<std::string> limit = memory_limit();
     return limit ? "; or raise the limit on this process's memory, " + *limit : "";

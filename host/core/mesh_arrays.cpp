@@ -18,7 +18,7 @@ std::string unit_of(const ExactArrays&) {
     return "doubles";
 }
 
-/// How many vertices there are; the last one may end before its stride does.
+/// The number of vertices. The last one may end before its stride does.
 template <class Arrays>
 std::size_t count_vertices(const Arrays& arrays) {
     const std::size_t numbers = arrays.positions.size(), stride = arrays.stride;
@@ -55,7 +55,7 @@ void check(const Arrays& arrays, std::size_t vertices) {
     }
 }
 
-/// Each as it is given. Throws UsageError for arrays that do not fit each other.
+/// The positions as they are given. Throws UsageError for arrays that do not fit each other.
 template <class Vector, class Arrays>
 std::vector<Vector> checked_positions(const Arrays& arrays) {
     const std::size_t vertices = count_vertices(arrays);
@@ -83,7 +83,7 @@ void add_triangles(Mesh& mesh, std::span<const std::uint32_t> corners) {
         mesh.triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
 }
 
-/// Materials are numbers of any size: groups are counted up.
+/// Materials may be any numbers; groups are numbered from 0.
 void add_groups(Mesh& mesh, std::span<const std::uint32_t> materials) {
     std::vector<std::uint32_t> numbers{materials.begin(), materials.end()};
     std::ranges::sort(numbers);

@@ -5,7 +5,7 @@
 namespace lineatlas {
 namespace {
 
-/// With copies of the last element, if there is one.
+/// Fills a list up with copies of its last element, if it has one.
 template <class T>
 void fill_up(std::vector<T>& list) {
     while (list.size() % LA_MESHLET_PADDING != 0) list.push_back(list.back());
@@ -18,7 +18,7 @@ Meshlets build_meshlets(std::span<const glm::uvec3> triangles, std::span<const C
     Meshlets result;
     result.meshlets.reserve(clusters.size());
     result.corners.reserve(triangles.size() * 3 + clusters.size() * LA_MESHLET_PADDING);
-    // Where each vertex stands in the list of the cluster that met it last.
+    // The place of each vertex in the list of the last cluster that used the vertex.
     constexpr std::uint32_t none = 0xFFFFFFFF;
     std::vector<std::uint32_t> met_by(vertex_count, none);
     std::vector<std::uint8_t> places(vertex_count);

@@ -17,7 +17,7 @@
 namespace lineatlas {
 namespace {
 
-/// More than anybody moves one by one; a larger number is a mistake.
+/// Nobody moves more objects one by one; a larger number is a mistake.
 constexpr std::uint32_t most_objects = 1U << 24U;
 
 bool is_finite(glm::vec3 v) {
@@ -30,7 +30,7 @@ void check_size(std::size_t count, std::size_t wanted, const char* what) {
                      "s, but objects for " + std::to_string(count));
 }
 
-/// Objects by the numbers that the mesh gives.
+/// The objects of a mesh that numbers them.
 MeshObjects numbered(const Mesh& mesh) {
     check_size(mesh.triangle_object.size(), mesh.triangles.size(), "triangle");
     MeshObjects result{
@@ -49,7 +49,7 @@ MeshObjects numbered(const Mesh& mesh) {
     return result;
 }
 
-/// Objects by the names of the groups, in the order of their first appearance.
+/// The objects of a mesh with named groups, in the order of their first appearance.
 MeshObjects named(const Mesh& mesh) {
     check_groups(mesh);
     MeshObjects result;
@@ -68,13 +68,13 @@ MeshObjects named(const Mesh& mesh) {
     return result;
 }
 
-/// One, if nothing moves on its own.
+/// The objects of the lines, or a single one for all if they name none.
 std::vector<LineObject> objects_of(const LineSet& lines) {
     if (!lines.objects.empty()) return lines.objects;
     return {{.name = {}, .vertex_count = static_cast<std::uint32_t>(lines.vertices.size())}};
 }
 
-/// Calls it with every surface of contours and the object that it is of.
+/// Calls `each` with every surface of contours and the object of the surface.
 template <class Each>
 void for_each_surface(const LineSet& lines, std::span<const LineObject> objects, Each&& each) {
     const KnownSurfaces& known = lines.contours.surfaces;
@@ -90,7 +90,7 @@ void for_each_surface(const LineSet& lines, std::span<const LineObject> objects,
     }
 }
 
-/// As the kernel contour_turn does.
+/// Turns normals as the kernel contour_turn does.
 void turn_normals(LineSet& lines, std::span<const LineObject> objects,
                   std::span<const glm::mat4> world_from_object) {
     if (lines.contours.empty()) return;
@@ -147,7 +147,7 @@ glm::mat3 normal_turn(const glm::mat4& world_from_object) {
                                glm::cross(m[0], m[1])};
     const double determinant = glm::dot(m[0], cofactors[0]);
     if (determinant == 0) return glm::mat3{0};
-    // Of what is neither stretched nor skewed, normals stay as long as they are.
+    // A matrix that neither stretches nor skews keeps the lengths of normals.
     const double size = std::cbrt(determinant);
     return glm::mat3{cofactors / std::copysign(size * size, determinant)};
 }
@@ -157,7 +157,7 @@ void check_transforms(std::span<const glm::mat4> world_from_object, std::size_t 
         throw UsageError("renderer: there are " + std::to_string(count) + " objects, but " +
                          std::to_string(world_from_object.size()) + " matrices");
     }
-    // Axes that are nearly in one plane; how long they are does not matter.
+    // Axes with less volume lie nearly in one plane; their lengths do not matter.
     constexpr double least_volume = 1e-6;
     for (std::size_t i = 0; i < count; ++i) {
         const glm::mat4& m = world_from_object[i];
@@ -187,7 +187,8 @@ void check_objects(std::span<const std::uint32_t> hidden, std::size_t count) {
 void hide_objects(LineSet& lines, std::span<const std::uint32_t> hidden) {
     const std::vector<LineObject> objects = objects_of(lines);
     check_objects(hidden, objects.size());
-    // To a point of what is still shown, so that a camera that shows all of that changes nothing.
+    // Hidden objects shrink to a point of an object that is still shown. So they
+    // do not enlarge the region that a camera must show.
     std::vector<bool> shown(objects.size(), true);
     for (const std::uint32_t object : hidden) shown[object] = false;
     glm::vec3 point = 0.5F * (lines.bounds.min + lines.bounds.max);
@@ -230,7 +231,7 @@ void move_vertices(LineSet& lines, std::span<const glm::vec3> positions) {
         lines.bounds.max = glm::max(lines.bounds.max, v);
     }
     find_normals(lines);
-    lines.contours.surfaces = {}; // it has bent
+    lines.contours.surfaces = {}; // the surfaces have bent
 }
 
 void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object) {

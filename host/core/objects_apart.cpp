@@ -15,7 +15,7 @@ std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uin
     return std::span{table}.subspan(first, count);
 }
 
-/// Contours to the parts that they are of. object_of: of vertices.
+/// Gives every contour to its part. object_of: per vertex.
 void take_apart(const LineSet& lines, std::span<const std::uint32_t> object_of,
                 std::vector<LineSet>& parts) {
     const Contours& all = lines.contours;

@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// The objects of a line set that has some, each by itself: its indices count from 0.
+/// Every object of a line set by itself, with indices from 0. The line set must have objects.
 std::vector<LineSet> objects_apart(const LineSet& lines);
 
 } // namespace lineatlas

@@ -18,7 +18,7 @@ std::uint32_t hash(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return h ^ h >> 15U;
 }
 
-/// In [0, 1).
+/// A random number in [0, 1).
 float random_unit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return static_cast<float>(hash(a, b, c) >> 8U) * 0x1p-24F;
 }

@@ -9,7 +9,7 @@ namespace lineatlas {
 /// directions.
 struct PaperTile {
     static constexpr int size = 512; ///< per side; a power of two
-    std::vector<std::uint8_t> depth; ///< how much a pixel is darkened at full grain; 255: to black
+    std::vector<std::uint8_t> depth; ///< the darkening of a pixel at full grain; 255 is black
 };
 
 /// Rough paper: a fine tooth, uneven pulp and short fibres. The same on every machine.

@@ -38,7 +38,7 @@ std::vector<std::uint32_t> smooth_patches(std::span<const glm::uvec3> triangles,
         const bool goes_on = kind == LA_KIND_SILHOUETTE || kind == LA_KIND_TANGENT;
         if (goes_on || (1U << kind & LA_KINDS_WITHIN) != 0) continue;
         borders.push_back(pair_key(segment.p, segment.q));
-        // A part of an edge has other ends than the edge.
+        // A segment on a part of an edge has other ends than the edge.
         if (segment.face_b != LA_NO_FACE)
             parted.push_back(pair_key(segment.face_a, segment.face_b & LA_FACE_INDEX));
     }

@@ -49,7 +49,7 @@ float value_noise(float x, float y, int period) {
     return std::lerp(std::lerp(at(0, 0), at(1, 0), tx), std::lerp(at(0, 1), at(1, 1), tx), ty);
 }
 
-/// Pixels after which uneven marks repeat: longer than most lines of a drawing.
+/// Uneven marks repeat after this many pixels; most lines of a drawing are shorter.
 constexpr int repeat = 1024;
 
 /// Noise of two octaves whose larger features are `along` by `across` pixels; `y` in pixels.
@@ -99,7 +99,7 @@ float depth_inside(float x, float y, float width, float narrowest, float along, 
     return 0.5F * width * (narrowest + (1 - narrowest) * edge) - std::abs(y);
 }
 
-/// Ink from a nib: black, but the paper drinks it unevenly.
+/// Ink from a nib. It is black, but the paper soaks it up unevenly.
 float fine(float x, float y, float width) {
     const float bleed = std::min(0.28F, 0.9F / width + 0.06F);
     const float inside = depth_inside(x, y, width, 1 - bleed, 11, 1);
@@ -107,7 +107,7 @@ float fine(float x, float y, float width) {
     return std::min(1.0F, flow) * (0.5F + inside);
 }
 
-/// Graphite: it greys the paper's high places and leaves its pits; pressure comes and goes.
+/// Graphite. It greys the high places of the paper and leaves the pits white; its pressure varies.
 float pencil(float x, float y, float width) {
     const float half = 0.5F * width;
     const float inside = depth_inside(x, y, width, 0.8F, 9, 3);
@@ -132,7 +132,7 @@ float charcoal(float x, float y, float width) {
     return std::min(0.95F, dust + (1 - dust) * deposit);
 }
 
-/// A brush: each bristle carries its own ink and runs dry for a while, first near the edges.
+/// A brush. Each bristle carries its own ink and runs dry for a while, near the edges first.
 float brush(float x, float y, float width) {
     const float half = 0.5F * width;
     const float inside = depth_inside(x, y, width, 0.66F, 48, 23);
@@ -142,11 +142,11 @@ float brush(float x, float y, float width) {
         0.67F + 0.6F * (wander(x, 200, 27) - 0.5F) - 0.36F * std::pow(std::abs(y) / half, 2.0F);
     const float frayed = 0.16F * (grain(x, y, 6, bristle, 29) - 0.5F);
     const float wet = ramp(-0.07F, 0.08F, ink + frayed - load);
-    // A hair's breadth of ink does not part.
+    // A very thin stroke does not split into bristles.
     return (0.5F + inside) * std::lerp(1.0F, wet, std::clamp(width / 6, 0.3F, 1.0F));
 }
 
-/// One dash in the middle of its period; a dot between dashes at its ends.
+/// Paints one dash in the middle of the period, and half a dot at either end if the mark has dots.
 PenMark paint_dashes(const DashLengths& dashes, float width) {
     const float unit = std::max(1.0F, width);
     const float period = dashes.dash + dashes.gap + (dashes.dot > 0 ? dashes.dot + dashes.gap : 0);
@@ -157,7 +157,7 @@ PenMark paint_dashes(const DashLengths& dashes, float width) {
     return paint(columns, period, width, [&](float x, float y) {
         const float from_middle = std::abs(x - 0.5F * period);
         const float in_dash = 0.5F * dashes.dash - from_middle;
-        const float in_dot = from_middle - 0.5F * (period - dashes.dot); // half of it at either end
+        const float in_dot = from_middle - 0.5F * (period - dashes.dot); // half a dot at either end
         if (!dashes.round) return 0.5F + (dashes.dot > 0 ? std::max(in_dash, in_dot) : in_dash);
         return 0.5F + 0.5F * unit - std::hypot(std::max(0.0F, from_middle - 0.5F * dashes.dash), y);
     });

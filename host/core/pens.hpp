@@ -27,8 +27,8 @@ struct PenName {
 };
 std::span<const PenName> pen_names();
 
-/// The mark of a built-in pen for strokes of `width` pixels, the same every time. Grain keeps its
-/// size on the screen whatever the width. Throws UsageError for an unknown name.
+/// The mark of a built-in pen for strokes of `width` pixels, the same every time. The size of the
+/// grain on the screen does not depend on the width. Throws UsageError for an unknown name.
 PenMark make_pen(std::string_view name, float width);
 
 /// What a mark of dashes or dots consists of, in pixels along the stroke.
@@ -38,11 +38,11 @@ struct DashLengths {
     float dot = 0; ///< above 0: a short dash between two gaps
 };
 
-/// Of the built-in marks that are dashed; nothing for every other name.
+/// The lengths of a built-in mark that is dashed; nothing for every other name.
 std::optional<DashLengths> dash_lengths(std::string_view name, float width);
 
-/// Whether a mark's name is that of an image file: it holds a '/' or a '.'. The caller reads it and
-/// makes a mark with `pen_from_image`.
+/// True if a mark's name is that of an image file, because it holds a '/' or a '.'. The caller
+/// reads it and makes a mark with `pen_from_image`.
 inline bool is_pen_file(std::string_view name) {
     return name.find_first_of("./") != std::string_view::npos;
 }

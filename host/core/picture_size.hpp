@@ -4,7 +4,7 @@
 
 namespace lineatlas {
 
-/// The longest side of a picture: beyond it floats can't tell texels apart.
+/// The longest side of a picture. On longer ones floats can't tell texels apart.
 constexpr int longest_picture_side = 65536;
 /// Throws UsageError for a picture that is longer, or empty.
 void check_picture(glm::ivec2 size);

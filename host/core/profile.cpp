@@ -5,7 +5,7 @@
 namespace lineatlas {
 namespace {
 
-/// Which of two events that take place at the same time a moment belongs to.
+/// The rank of an event. A moment belongs to the running events of the highest rank.
 int rank(ProfileTrack track) {
     switch (track) {
     case ProfileTrack::gl:
@@ -19,7 +19,7 @@ int rank(ProfileTrack track) {
     return 0;
 }
 
-/// Times at which events begin or end, within the frame.
+/// The times within the frame at which events begin or end.
 std::vector<std::int64_t> borders(const FrameProfile& frame) {
     std::vector<std::int64_t> times{frame.start, frame.end};
     for (const ProfileEvent& event : frame.events) {
@@ -31,7 +31,7 @@ std::vector<std::int64_t> borders(const FrameProfile& frame) {
     return times;
 }
 
-/// The events that the time from `start` to `end`, in which none begins or ends, is shared by.
+/// The events that share the time from `start` to `end`. No event begins or ends between the two.
 std::vector<const ProfileEvent*> owners(const std::vector<const ProfileEvent*>& running,
                                         std::int64_t start, std::int64_t end) {
     std::vector<const ProfileEvent*> best;

@@ -6,15 +6,16 @@
 
 namespace lineatlas {
 
-/// Tells a Progress, which must outlive it, of a part of a call: shares of the part as shares of
-/// the whole.
+/// Reports the progress of a part of a call as progress of the whole call. The Progress must
+/// outlive it.
 class ProgressPart {
   public:
-    /// `what` is cancelled, in a word or two. All of the progress, or from one share to another.
+    /// what: the work that may be cancelled, in a word or two. from, to: the part's shares of the
+    /// whole.
     ProgressPart(const Progress& progress, const char* what, float from = 0, float to = 1)
         : progress_(&progress), what_(what), from_(from), to_(to) {}
 
-    /// Nobody asks.
+    /// Progress that is reported to nobody.
     static ProgressPart none() {
         static const Progress nobody;
         return {nobody, ""};

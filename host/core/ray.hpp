@@ -16,7 +16,8 @@ struct Ray {
     glm::dvec3 at(double distance) const { return origin + distance * direction; }
 };
 
-/// How far along the ray it meets a triangle, from either side; infinity if it doesn't.
+/// The distance along the ray at which it meets a triangle, from either side; infinity if it does
+/// not.
 double meet(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 
 /// A triangle that a ray meets, and how far along the ray.
@@ -25,7 +26,7 @@ struct RayHit {
     double distance;
 };
 
-/// The first place where the ray meets a triangle, of those that `counts` says yes to.
+/// The first hit of the ray among the triangles for which `counts` returns true.
 template <class Counts>
 std::optional<RayHit> first_hit(const Ray& ray, std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, const Counts& counts) {
@@ -40,7 +41,7 @@ std::optional<RayHit> first_hit(const Ray& ray, std::span<const glm::vec3> verti
     return first;
 }
 
-/// The first of all triangles.
+/// The first hit among all triangles.
 std::optional<RayHit> first_hit(const Ray& ray, std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles);
 

@@ -18,7 +18,7 @@ TexelRectangle screen_bounds(const Bounds& bounds, const glm::mat4& clip_from_wo
         low = glm::min(low, window);
         high = glm::max(high, window);
     }
-    // Cut first: a far corner may lie beyond what an int can hold.
+    // Cut before the conversion, because a far corner may lie beyond the range of int.
     const float reach = static_cast<float>(margin);
     const glm::ivec2 first{glm::clamp(glm::floor(low - reach), glm::vec2{0}, extent)};
     const glm::ivec2 last{glm::clamp(glm::ceil(high + reach), glm::vec2{0}, extent)};

@@ -14,9 +14,9 @@ struct TexelRectangle {
     glm::ivec2 size() const { return high - low; }
 };
 
-/// What a box covers of a picture of `size` texels, with `margin` texels around it, grown to whole
-/// tiles of `tile` texels and cut to the picture. All of the picture if a corner of the box is
-/// behind the eye; empty if the box lies beside the picture.
+/// The texels that a box covers in a picture of `size` texels, with `margin` texels around them.
+/// They are grown to whole tiles of `tile` texels and cut to the picture. The result is the whole
+/// picture if a corner of the box is behind the eye, and empty if the box lies beside the picture.
 TexelRectangle screen_bounds(const Bounds& bounds, const glm::mat4& clip_from_world,
                              glm::ivec2 size, int margin, int tile);
 

@@ -21,25 +21,25 @@ void set_row(glm::mat4& m, int i, glm::dvec4 values) {
     for (int column = 0; column < 4; ++column) m[column][i] = static_cast<float>(values[column]);
 }
 
-/// Window depth of a projection before the depth range: dot(depth, point) / dot(w, point), from 0
-/// to 1 between the planes.
+/// The window depth of a projection before the depth range is applied: dot(depth, point) / dot(w,
+/// point). It goes from 0 to 1 between the planes.
 struct DepthRows {
     glm::dvec4 depth, w;
-    bool reversed; ///< 1 at the near plane
+    bool reversed; ///< the projection's own depth is 1 at the near plane
 
     explicit DepthRows(const Camera& camera) : w(row(camera.projection, 3)) {
         const glm::dvec4 z = row(camera.projection, 2);
         depth = camera.clip.zero_to_one ? z : 0.5 * (z + w);
-        const double away = w.z > 0 ? 1 : -1; // eye space of the other hand
+        const double away = w.z > 0 ? 1 : -1; // or a left-handed eye space
         const glm::dvec4 near{0, 0, away, 1}, far{0, 0, 2 * away, 1};
         reversed = at(far) < at(near);
         if (reversed) depth = w - depth;
     }
-    /// Grows away from the eye.
+    /// The depth of a point, which grows away from the eye.
     double at(glm::dvec4 point) const { return glm::dot(depth, point) / glm::dot(w, point); }
 };
 
-/// What of 0 to 1 a box takes up, with a margin.
+/// The part of the range from 0 to 1 that a box takes up, with a margin.
 glm::dvec2 covered_depth(const DepthRows& rows, const Camera& camera, const Bounds& bounds) {
     constexpr double margin = 1e-3;
     const glm::dmat4 eye_from_world{camera.view};
@@ -61,7 +61,7 @@ glm::dvec2 covered_depth(const DepthRows& rows, const Camera& camera, const Boun
     return {std::max(low - extra, 0.0), std::min(high + extra, 1.0)};
 }
 
-/// The camera whose window depth is (depth of `rows` - nearest) * scale.
+/// The camera with the window depth (depth of `rows` - nearest) * scale.
 Camera with_depth(const Camera& camera, const DepthRows& rows, double nearest, double scale) {
     Camera result = camera;
     result.clip.zero_to_one = false;
@@ -75,7 +75,7 @@ Camera lower_left(Camera camera) {
     return camera;
 }
 
-/// How far a value may be off: by its own steps, and by the rounding of what it was computed from.
+/// The largest error of a value: from its own steps, and from rounding before it was stored.
 double depth_error(const DepthValues& values, double largest) {
     const double rounding = std::ldexp(largest, -23);
     return values.floating ? 1.5 * rounding
@@ -97,14 +97,14 @@ StandardCamera standard_camera(const Camera& camera, const Bounds& bounds,
     const Camera upright = lower_left(camera);
     const DepthRows rows{upright};
     const glm::dvec2 covered = covered_depth(rows, upright, bounds);
-    // Values of the planes, nearest first.
+    // The depth values at the nearer plane and at the farther one.
     const double near = rows.reversed ? values.range.y : values.range.x;
     const double far = rows.reversed ? values.range.x : values.range.y;
     const auto value_at = [&](double depth) { return near + (far - near) * depth; };
     const double largest = std::max(std::abs(value_at(covered.x)), std::abs(value_at(covered.y)));
     const double error = depth_error(values, largest) / std::abs(far - near);
     const double scale = std::min(1 / (covered.y - covered.x), double{LA_DEPTH_ROUNDING} / error);
-    // The matrix must agree with the numbers as floats hold them.
+    // The matrix must agree with the numbers after their rounding to floats.
     const DepthMapping mapping{.reference = static_cast<float>(value_at(covered.x)),
                                .scale = static_cast<float>(scale / (far - near))};
     return {with_depth(upright, rows, (mapping.reference - near) / (far - near),

@@ -19,25 +19,25 @@ struct DepthMapping {
     float reference = 0, scale = 1;
 };
 
-/// A camera as all stages want it, and how depth values of the program's buffer are to be read.
+/// A camera for all stages, and the mapping of depth values in the program's buffer.
 struct StandardCamera {
     Camera camera;
     DepthMapping depth{};
 };
 
-/// The same picture by GL's default clip control, with depth that grows away from the eye. Where
-/// depth is not what it was, its planes enclose `bounds` as far as the program's own planes let
-/// them: that is where an infinite or reversed projection gets its precision from.
+/// The same picture by GL's default clip control, with depth that grows away from the eye. If depth
+/// has to change, the new planes enclose `bounds` within the program's own planes. So an infinite
+/// or reversed projection keeps its precision.
 StandardCamera standard_camera(const Camera& camera, const Bounds& bounds);
 
 /// The same for depth values that a program has drawn by that camera. Window depth is scaled so
-/// that one step of theirs is no more than what the probes take for rounding: a depth buffer of 16
-/// bits only blurs what is hidden by less than its step.
+/// that one step of the values is no larger than the rounding that the probes allow for. A depth
+/// buffer of 16 bits only blurs surfaces that are hidden by less than its step.
 StandardCamera standard_camera(const Camera& camera, const Bounds& bounds,
                                const DepthValues& values);
 
-/// Whether all of a box lies beyond the near plane, so that nothing in it is seen from within: of a
-/// standard camera.
+/// True if all of a box lies beyond the near plane of a standard camera. Then nothing in the box is
+/// seen from within.
 bool sees_from_outside(const Camera& camera, const Bounds& bounds);
 
 } // namespace lineatlas

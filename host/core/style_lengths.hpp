@@ -4,8 +4,8 @@
 
 namespace lineatlas {
 
-/// Multiplies every length of a style by a factor, for a picture that has so many times as many
-/// pixels a side. The lengths are then those of that picture: Style::made_for is 0.
+/// Multiplies every length of a style by a factor, for a picture whose sides have `factor` times as
+/// many pixels. The lengths are then right for that picture, and Style::made_for is 0.
 void multiply_lengths(Style& style, float factor);
 
 } // namespace lineatlas

@@ -9,7 +9,7 @@
 namespace lineatlas {
 
 SurfaceView surface_view(const Camera& camera) {
-    // In double precision: the eye is where large numbers cancel.
+    // Double precision, because large numbers cancel at the eye.
     const glm::dmat4 world =
         glm::inverse(glm::dmat4{camera.projection} * glm::dmat4{camera.view}); // from clip space
     SurfaceView view{};

@@ -6,15 +6,14 @@
 
 namespace lineatlas {
 
-/// How a camera sees planes. Nearness grows towards the eye and is linear on the screen for every
-/// plane: 1/w, or 1 - z in a parallel view.
+/// The view of a camera onto planes. Nearness is 1/w, or 1 - z in a parallel view. It grows towards
+/// the eye and is linear on the screen for every plane.
 struct SurfaceView {
-    /// Of a place on the screen (-1 to 1 in x and y), 1 and nearness: a point of the world,
-    /// homogeneous.
+    /// Turns x and y on the screen (-1 to 1), 1 and nearness into a homogeneous point of the world.
     glm::mat4 world_from_screen;
     bool parallel;
-    /// Nearness by which a line's own smooth patch may stand before it, times w: it bends into the
-    /// way beside its own outline (core/depth_tolerance.hpp).
+    /// The nearness, times w, by which a line's own smooth patch may stand before the line. A patch
+    /// bends before its own outline (core/depth_tolerance.hpp).
     float bend;
 };
 

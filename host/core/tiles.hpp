@@ -13,13 +13,13 @@ namespace lineatlas {
 /// from the left.
 std::vector<PictureTile> make_tiles(glm::ivec2 size, int tile_size);
 
-/// Where the clip space of a picture lies in that of a part of it: xy of a point is multiplied by
-/// the first two and moved by the last two times w. Applied to points, not to the matrix, so that a
-/// vertex falls on the same place in every tile, as far as floats can tell.
+/// The map from the clip space of a picture to that of a tile: xy of a point is multiplied by the
+/// first two numbers and moved by the last two times w. It is applied to points, not to the matrix.
+/// So a vertex falls on the same place in every tile, to within the precision of floats.
 glm::vec4 tile_transform(const PictureTile& tile, glm::ivec2 size);
 constexpr glm::vec4 whole_picture{1, 1, 0, 0};
 
-/// The projection to a part of a picture.
+/// The projection to a tile of a picture.
 glm::mat4 tile_projection(const glm::mat4& clip_from_world, const PictureTile& tile,
                           glm::ivec2 size);
 

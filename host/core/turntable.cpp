@@ -37,7 +37,7 @@ std::vector<glm::vec3> swept(std::span<const glm::vec3> points, const Axis& axis
     if (points.empty()) return {};
     const auto height = [&](glm::vec3 p) { return glm::dot(p - axis.point, axis.direction); };
     const auto [lowest, highest] =
-        std::ranges::minmax(points, {}, height); // then slices between them
+        std::ranges::minmax(points, {}, height); // slices lie between these two
     const float low = height(lowest);
     const float range = height(highest) - low;
     constexpr std::size_t slices = 64;

@@ -9,12 +9,13 @@
 namespace lineatlas {
 namespace {
 
-/// Within this share of the extent a face lies at an end; within this cosine it is level.
+/// A face within this share of the extent lies at an end; a face with at least this cosine is
+/// level.
 constexpr double at_end = 0.01, level = 0.98;
-/// What one axis must be ahead by.
+/// The lead that one axis must have over the other.
 constexpr double ahead_factor = 1.5, ahead_by = 0.1;
 
-/// What is known of the triangles along one axis.
+/// Measures of the triangles along one axis.
 class Spread {
   public:
     Spread(const Bounds& bounds, int axis)
@@ -38,7 +39,7 @@ class Spread {
         if (lowest > 1 - at_end) top_ += area;
     }
 
-    /// How much speaks for this axis.
+    /// The score of this axis: higher is more likely to be up.
     double score() const {
         if (!(area_ > 0) || !(across_ > 0) || !(extent_ > 0)) return 0;
         constexpr double of_uneven = 3;

@@ -14,7 +14,7 @@
 namespace lineatlas {
 namespace {
 
-/// Numbers places: equal ones have the same.
+/// Numbers places; equal places get the same number.
 class Places {
   public:
     Places(std::span<const glm::vec3> positions, std::size_t most)
@@ -34,7 +34,7 @@ class Places {
     FirstSeen seen_;
 };
 
-/// Whether along every edge as many triangles go one way as the other.
+/// True if along every edge as many triangles go one way as the other.
 bool are_closed(const std::vector<glm::uvec3>& triangles) {
     std::unordered_map<std::uint64_t, int> ways;
     for (const glm::uvec3& t : triangles) {
@@ -56,7 +56,7 @@ std::optional<double> enclosed_volume(std::span<const glm::vec3> positions,
     std::vector<glm::uvec3> placed;
     for (const glm::uvec3& t : triangles) placed.push_back({place(t.x), place(t.y), place(t.z)});
     if (!are_closed(placed)) return std::nullopt;
-    // About a point of the surface, so that little is lost far from zero.
+    // The sum is about a point of the surface, so that precision stays far from zero.
     const glm::dvec3 origin{positions[placed.front().x]};
     double sum = 0;
     for (const glm::uvec3& t : placed) {

@@ -30,9 +30,10 @@ bool is_linear(const OIIO::ImageSpec& spec) {
            spec.format == OIIO::TypeDesc::DOUBLE;
 }
 
-/// Null if there is none that writes into memory.
+/// The writer for an extension; null if none writes into memory.
 std::unique_ptr<OIIO::ImageOutput> output_for(const std::string& extension) {
-    // By extension alone: a whole name could be taken for a plugin's own address.
+    // Looked up by extension alone, because a whole name could be taken for the address of a
+    // plugin.
     auto output = OIIO::ImageOutput::create("picture" + extension);
     if (output && output->supports("ioproxy")) return output;
     OIIO::geterror(); // otherwise it is printed when the program ends
@@ -65,8 +66,8 @@ OIIO::ImageSpec spec_of(const Pixels& pixels, const ImageSettings& settings, boo
     return spec;
 }
 
-/// Into memory: several of OpenImageIO's writers do not notice a full disk, and the one of JPEG
-/// ends the program.
+/// Writes into memory, because several of OpenImageIO's writers do not notice a full disk, and that
+/// of JPEG ends the program.
 std::vector<unsigned char> encode_by(OIIO::ImageOutput& output, const std::filesystem::path& path,
                                      const Pixels& pixels, const ImageSettings& settings) {
     const std::string_view format = output.format_name();
@@ -88,7 +89,7 @@ std::vector<unsigned char> encode_by(OIIO::ImageOutput& output, const std::files
     return encoded;
 }
 
-/// Rejects what would not fit into an Image or into memory.
+/// Rejects pictures that would not fit into an Image or into memory.
 void check_spec(const OIIO::ImageSpec& spec) {
     if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
         throw std::runtime_error("it holds no pixels");
@@ -100,8 +101,8 @@ bool can_write(const std::string& extension) {
     return output_for(extension) != nullptr;
 }
 
-/// Opens by that format, if it has one that reads from memory; others are left out: videos, and
-/// what needs more files than one.
+/// Opens a picture by one format, if its reader reads from memory. Other readers are left out:
+/// those of videos, and those that need several files.
 bool open_as(std::string_view format, const std::string& name, OIIO::Filesystem::IOProxy& memory,
              std::unique_ptr<OIIO::ImageInput>& input) {
     input = OIIO::ImageInput::create(OIIO::string_view{format.data(), format.size()});
@@ -112,7 +113,7 @@ bool open_as(std::string_view format, const std::string& name, OIIO::Filesystem:
     return input->set_ioproxy(&memory) && input->open(name, ignored, hints);
 }
 
-/// As its name says, or else as whatever it is: names are often wrong.
+/// Opens a picture as its name says, or else by its content, because names are often wrong.
 std::unique_ptr<OIIO::ImageInput> open_in(OIIO::Filesystem::IOProxy& memory,
                                           const std::filesystem::path& path) {
     const std::string name = path.filename().string();

@@ -25,7 +25,7 @@ std::uint8_t to_byte(float value) {
     return static_cast<std::uint8_t>(std::min(value, 1.0F) * 255.0F + 0.5F);
 }
 
-/// Linear light of every value that `T` has.
+/// The linear light of every value of `T`.
 template <class T>
 const std::vector<float>& decoded_values() {
     static const std::vector<float> table = [] {

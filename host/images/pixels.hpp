@@ -12,7 +12,7 @@ namespace lineatlas {
 /// Conversions between sRGB-coded pixels and the values of picture files. The last of 2 or 4
 /// channels is alpha, which is never sRGB-coded.
 
-/// Throws std::runtime_error for a picture of more pixels than are read.
+/// Throws std::runtime_error for a picture with too many pixels.
 void check_pixel_count(std::int64_t width, std::int64_t height);
 
 /// Linear light, colour multiplied by alpha; alpha of `pixels` must be straight.

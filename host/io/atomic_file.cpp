@@ -42,15 +42,16 @@ fs::path folder_of(const fs::path& target) {
     return target.has_parent_path() ? target.parent_path() : fs::path{"."};
 }
 
-/// Short whatever the target's name is, so that it fits wherever the target's name does.
+/// A temporary name beside the target. It is short, so that it fits wherever the target's name
+/// does.
 fs::path name_beside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
     return folder_of(target) / (std::string{part_prefix} + std::to_string(::getpid()) + '-' +
                                 std::to_string(counter++) + std::string{part_extension});
 }
 
-/// Removes what writers that were killed left in a folder, the first time that this process writes
-/// there. A writer at work is far younger, on whatever machine it runs.
+/// Removes old temporary files of killed writers from a folder, the first time that this process
+/// writes there. Files of writers at work, on any machine, are far younger.
 void remove_left_behind(const fs::path& folder) {
     static std::mutex mutex;
     static std::set<fs::path> tidied;
@@ -73,8 +74,8 @@ std::string link_to(int descriptor) {
     return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
-/// A file without a name, which nothing is left of however this process ends; -1 where the file
-/// system or a missing /proc doesn't allow it.
+/// Opens a file without a name. Nothing is left of it however this process ends. Returns -1 if the
+/// file system or a missing /proc does not allow it.
 int open_nameless(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, read_write_all);
     if (descriptor < 0 || ::access(link_to(descriptor).c_str(), F_OK) == 0) return descriptor;
@@ -82,13 +83,14 @@ int open_nameless(const fs::path& folder) {
     return -1;
 }
 
-/// Whoever could read and write the file before still can, and nobody else.
+/// Lets the same users read and write the file as before, and nobody else.
 void keep_owner_and_mode(const fs::path& target, int descriptor) {
     struct stat old {};
     if (::stat(target.c_str(), &old) != 0) return;
     constexpr mode_t permissions = 0777, of_group = 0070;
     mode_t mode = old.st_mode & permissions;
-    // Only the superuser can give files away: then the group alone, else nobody through it.
+    // Only the superuser can give files away. Others keep at least the group, or give the group no
+    // rights.
     if (::fchown(descriptor, old.st_uid, old.st_gid) != 0 &&
         ::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid) != 0) {
         mode &= ~of_group;
@@ -99,13 +101,13 @@ void keep_owner_and_mode(const fs::path& target, int descriptor) {
 } // namespace
 
 fs::path behind_links(const fs::path& target) {
-    constexpr int most_links = 40; // as the kernel
+    constexpr int most_links = 40; // as many as the kernel follows
     fs::path place = target;
     std::error_code error;
     for (int i = 0; i < most_links && fs::is_symlink(place, error); ++i) {
         const fs::path next = fs::read_symlink(place, error);
         if (error) break;
-        place = place.parent_path() / next; // of an absolute one, that alone
+        place = place.parent_path() / next; // an absolute `next` replaces the folder
     }
     return place;
 }
@@ -131,7 +133,8 @@ AtomicFile::~AtomicFile() {
     if (!committed_ && !temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
-/// Gives a file without a name one beside its place: no call puts it in the place of another.
+/// Gives a file without a name a name beside its place, because no call can put it directly in the
+/// place of another file.
 void AtomicFile::name() {
     while (temporary_.empty()) {
         const fs::path name = name_beside(target_);
@@ -152,7 +155,7 @@ void AtomicFile::commit(std::span<const unsigned char> content) {
         content = content.subspan(static_cast<std::size_t>(written));
     }
     keep_owner_and_mode(target_, descriptor_);
-    // Without this a crash of the machine may leave the new name with no data behind it.
+    // Without this call a crash of the machine may leave the new name without data.
     if (::fsync(descriptor_) != 0) throw write_error(target_, write_cause(errno));
 
     name();

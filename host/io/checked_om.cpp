@@ -35,12 +35,13 @@ struct ChunkHeader {
     unsigned type;
     bool floating;
     std::size_t dimension;
-    std::size_t integer_size; ///< for topology, where OpenMesh leaves the mark for floats undefined
+    std::size_t integer_size; ///< size of topology's numbers; OpenMesh leaves the mark for floats
+                              ///< undefined there
     std::size_t scalar_size;
 };
 
 /// OpenMesh trusts counts, reads on behind the end of the file, and asserts on dimensions it does
-/// not expect. It gets the chunks of positions and topology alone.
+/// not expect. So it gets only the chunks of positions and topology.
 class OmFile {
   public:
     explicit OmFile(const SourceFile& source) : source_(source), bytes_(source.bytes) {}
@@ -93,7 +94,8 @@ class OmFile {
         }
         if (header.named) skip_name();
         if (header.type == om::Chunk::Type_Custom) {
-            if (header.named && version_ > om::mk_version(2, 1)) skip_name(); // the type's name
+            // This is the name of the type.
+            if (header.named && version_ > om::mk_version(2, 1)) skip_name();
             skip(at_ + 4 <= bytes_.size() ? 4 + read_u32(bytes_, at_) : 4);
             return;
         }

@@ -24,10 +24,10 @@ namespace lineatlas {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kept{
-    "LD_LIBRARY_PATH", "LINEATLAS_MODULE_DIR",
-    // What findings of a sanitizer are to do; nothing else reads them.
-    "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "UBSAN_OPTIONS"};
+constexpr std::array<std::string_view, 6> kept{"LD_LIBRARY_PATH", "LINEATLAS_MODULE_DIR",
+                                               // Settings of sanitizers, which nothing else reads.
+                                               "ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS",
+                                               "UBSAN_OPTIONS"};
 
 void check(int result) {
     if (result != 0) throw std::system_error(errno, std::generic_category(), "a limit");
@@ -38,7 +38,7 @@ void allow_no_more_than(rlim_t most, __rlimit_resource resource) {
     check(::setrlimit(resource, &limits));
 }
 
-/// A step of giving up, with what there is to do it by. Throws DeviceError.
+/// Takes a step of confinement, by the means that this machine offers. Throws DeviceError.
 void step(void (*give_up)(const Confinement& offered)) {
     if (reader::sanitized) return;
     try {
@@ -86,11 +86,12 @@ std::vector<std::string> small_environment() {
 
 void forget_what_was_inherited() {
     const std::vector<std::string> environment = small_environment();
-    // The memory too: a variable may be a password.
+    // The memory of variables is cleared too, because a variable may be a password.
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable)
         ::explicit_bzero(*variable, std::strlen(*variable));
     static std::array<char*, 1> nothing{};
-    environ = nothing.data(); // not null, as clearenv() has it: OpenColorIO 2.5 reads it
+    // Not null, as clearenv() would set it, because OpenColorIO 2.5 reads it.
+    environ = nothing.data();
     for (const std::string& variable : environment) {
         const std::size_t equals = variable.find('=');
         ::setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 1);
@@ -118,7 +119,7 @@ void confine_to_reading() {
 void confine() {
     step([](const Confinement& offered) {
         if (offered.files > 0) restrict_files(Files::none);
-        allow_no_more_than(0, RLIMIT_NOFILE); // what is open stays open
+        allow_no_more_than(0, RLIMIT_NOFILE); // open files stay open
         if (offered.system_calls) restrict_system_calls();
     });
 }

@@ -30,11 +30,11 @@ void check(const Explosion& explosion) {
                              "\" moves by what is not finite");
 }
 
-/// A part of the tree, after what it is in.
+/// A part of the tree. Nodes stand after the nodes that contain them.
 struct Node {
     std::string path;
     std::uint32_t parent = none;
-    glm::dvec3 low{INFINITY}, high{-INFINITY}; ///< with all that is in it
+    glm::dvec3 low{INFINITY}, high{-INFINITY}; ///< the box of the part with all that it contains
     glm::dvec3 moved{0};
 
     bool is_empty() const { return !(low.x <= high.x); }
@@ -45,12 +45,13 @@ struct Node {
     }
 };
 
-/// Which part has each of some numbered things. What several parts have becomes one for each.
+/// The part that owns each of some numbered things. If several parts have one thing, each gets a
+/// copy.
 class PartOwners {
   public:
     explicit PartOwners(std::size_t count) : parts_(count, none) {}
 
-    /// `thing` is the part's own from here on; copy(thing) adds one like it behind all others.
+    /// Makes `thing` the part's own. copy(thing) appends a copy of it behind all others.
     template <class Copy>
     void own(std::uint32_t& thing, std::uint32_t part, const Copy& copy) {
         if (parts_[thing] == none) parts_[thing] = part;
@@ -70,7 +71,7 @@ class PartOwners {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies_; ///< by thing and part
 };
 
-/// Moves what belongs to parts.
+/// Moves parts of a mesh.
 class Exploder {
   public:
     Exploder(LoadedMesh& model, const Explosion& explosion)
@@ -93,7 +94,8 @@ class Exploder {
     }
 
   private:
-    /// The root is the model; parts of the tree follow in their order, or groups by their names.
+    /// Makes the nodes. The root is the model. Parts of the tree follow in their order, or groups
+    /// by their names.
     void plant(const std::vector<ModelPart>& parts) {
         nodes_.push_back({});
         node_of_part_.assign(paths_.paths.size(), 0);
@@ -114,7 +116,7 @@ class Exploder {
         }
     }
 
-    /// Whether the name is that of the part itself, and not of what it is in.
+    /// Whether the pattern names the part itself, and not a part that contains it.
     bool names(const PartMove& move, const Node& node) const {
         if (!names_part(move.part, node.path)) return false;
         return node.parent == 0 || !names_part(move.part, nodes_[node.parent].path);
@@ -130,7 +132,7 @@ class Exploder {
         }
     }
 
-    /// Positions that belong to several parts become one for each.
+    /// Gives each part its own copy of positions that belong to several parts.
     void own_positions() {
         PartOwners owners{mesh_.positions.size()};
         const auto copy = [&](std::uint32_t position) {
@@ -160,7 +162,7 @@ class Exploder {
             if (!nodes_[i].is_empty()) nodes_[nodes_[i].parent].add(nodes_[i].low, nodes_[i].high);
     }
 
-    /// Beside what the part is in.
+    /// How far a part moves beside the part that contains it.
     glm::dvec3 own_move(const Node& node) const {
         const auto& moves = explosion_.moves;
         const auto by_hand = std::find_if(moves.rbegin(), moves.rend(),
@@ -220,7 +222,7 @@ class Exploder {
         mesh_.polyline_kind.resize(mesh_.polylines.size(), PolylineKind::file);
         mesh_.polylines.push_back(std::move(line));
         mesh_.polyline_kind.push_back(PolylineKind::trail);
-        // They belong to no part, and move with none.
+        // These lines belong to no part and move with none.
         if (!mesh_.polyline_object.empty())
             mesh_.polyline_object.push_back(static_cast<std::uint32_t>(paths_.paths.size()));
     }

@@ -16,7 +16,7 @@ namespace lineatlas {
 
 namespace {
 
-/// More buffers than anything writes; a model must not make us look for files for ever.
+/// More buffers than any program writes. A model must not make the reader look for files endlessly.
 constexpr std::size_t most_files = 1000;
 
 void append_utf8(std::string& text, std::uint32_t letter) {
@@ -32,8 +32,8 @@ void append_utf8(std::string& text, std::uint32_t letter) {
     }
 }
 
-/// The JSON string that begins at `at`, behind its quote; nothing where it has no end, or holds
-/// what no name of a file has.
+/// The JSON string that begins at `at`, behind its quote. Nothing if it has no end, or characters
+/// that no file name has.
 std::optional<std::string> string_at(std::string_view text, std::size_t at) {
     constexpr std::size_t longest = 4096;
     std::string result;

@@ -16,10 +16,10 @@ namespace lineatlas {
 
 namespace {
 
-/// A type that every OpenImageIO writes: no need to load it to know.
+/// A type that every OpenImageIO writes, so its limits are known without loading it.
 struct Format {
     std::string_view extension;
-    std::array<int, 3> bits; ///< what a channel may have, the usual first; 0: no more
+    std::array<int, 3> bits; ///< allowed bits per channel, the usual number first; 0: no more
     bool alpha;
 };
 constexpr std::array formats{
@@ -27,7 +27,7 @@ constexpr std::array formats{
     Format{".tif", {8, 16}, true}, Format{".tiff", {8, 16}, true}, Format{".exr", {16, 32}, true},
 };
 
-/// Null if the type is another one.
+/// The format of a path's type; null for other types.
 const Format* common_format(const std::filesystem::path& path) {
     const auto found = std::ranges::find(formats, lower_extension(path), &Format::extension);
     return found == formats.end() ? nullptr : &*found;
@@ -57,7 +57,7 @@ void check_pixels(const std::filesystem::path& path, const Pixels& pixels) {
                                     std::to_string(pixels.values.size()) + " bytes makes no sense");
 }
 
-/// Calls into the module; what it refuses becomes `error`.
+/// Calls the module and turns its refusals into `error`.
 template <class Call>
 auto guarded(FileError (*error)(const std::filesystem::path&, std::string_view),
              const std::filesystem::path& path, Call call) {
@@ -93,7 +93,7 @@ Image read_image(const std::filesystem::path& path) {
 void write_image(const std::filesystem::path& path, const Pixels& pixels,
                  const ImageSettings& settings) {
     check_type(path);
-    AtomicFile file(path); // before the work of encoding
+    AtomicFile file(path); // opened before the work of encoding
     file.commit(encode_image(path, pixels, settings));
 }
 

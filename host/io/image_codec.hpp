@@ -8,12 +8,13 @@
 
 namespace lineatlas {
 
-// read_image() and write_image() without their files. Where the module is loaded they open nothing.
+// read_image() and write_image() without their files. Once the module is loaded, these open
+// nothing.
 
 /// Throws FileError.
 Image decode_image(const SourceFile& file);
 
-/// What the file `path` is to hold. Throws FileError.
+/// The content of the file `path`. Throws FileError.
 std::vector<unsigned char> encode_image(const std::filesystem::path& path, const Pixels& pixels,
                                         const ImageSettings& settings);
 

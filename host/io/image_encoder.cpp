@@ -29,15 +29,15 @@ namespace lineatlas {
 
 namespace {
 
-/// How the process ends when it has no memory left.
+/// Exit status of the process if it runs out of memory.
 constexpr int no_memory = 3;
 
-/// JPEG files end with a mark; what is cut off before it, readers fill up with grey.
+/// Whether a JPEG file lacks the mark at its end. Readers fill such files up with grey.
 bool is_cut_jpeg(std::string_view bytes) {
     return bytes.starts_with("\xFF\xD8") && !bytes.ends_with("\xFF\xD9");
 }
 
-/// What the file is to hold; of a check nothing. Throws FileError.
+/// The content of the file; for a check nothing. Throws FileError.
 std::vector<unsigned char> do_task(const PictureTask& task, std::string bytes) {
     const PictureTask::Numbers& numbers = task.numbers;
     const glm::ivec2 size{numbers.width, numbers.height};
@@ -54,8 +54,8 @@ std::vector<unsigned char> do_task(const PictureTask& task, std::string bytes) {
     throw read_error(task.path, "it is damaged");
 }
 
-/// Does the next task; false when no more will come. The answer is a message, empty if all is well,
-/// and what came out.
+/// Does the next task. Returns false if no more tasks will come. The answer is a message, empty if
+/// all is well, and the result.
 bool answer_next(int socket, std::string message) {
     const std::optional<PictureTask> task = receive_task(socket);
     if (!task) return false;
@@ -71,7 +71,7 @@ bool answer_next(int socket, std::string message) {
            send_text(socket, {reinterpret_cast<const char*>(result.data()), result.size()});
 }
 
-/// What the process does until the other side is gone.
+/// The work of the process until the other side is gone.
 void serve(int socket, PictureType type) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::dup2(socket, STDIN_FILENO);
@@ -80,7 +80,7 @@ void serve(int socket, PictureType type) {
     confine_to_reading();
     std::string no_module;
     try {
-        image_module(type); // later there is no loading
+        image_module(type); // nothing can be loaded later
     } catch (const FileError& error) {
         no_module = error.what();
     }
@@ -117,7 +117,7 @@ bool is_whole_picture(const SourceFile& file, glm::ivec2 size) {
 
 ImageEncoder::ImageEncoder(PictureType first, const ReadLimits& limits)
     : type_(first), limits_(limits) {
-    start(); // the module loads while others draw
+    start(); // the module loads while other processes draw
 }
 
 void ImageEncoder::start() {
@@ -128,7 +128,7 @@ void ImageEncoder::start() {
         try {
             serve(sockets[1], type_);
         } catch (const std::exception&) {
-            // No answer is one, too.
+            // The missing answer tells the other side.
         }
         ::_exit(0);
     }
@@ -137,14 +137,14 @@ void ImageEncoder::start() {
 }
 
 void ImageEncoder::limit(const PictureTask& task) {
-    constexpr std::uint64_t bytes_per_pixel = 8; // of 16 bits a channel, when it is decoded
+    constexpr std::uint64_t bytes_per_pixel = 8; // of a decoded picture with 16 bits per channel
     const PictureTask::Numbers& numbers = task.numbers;
     const std::uint64_t decoded = bytes_per_pixel * static_cast<std::uint64_t>(numbers.width) *
                                   static_cast<std::uint64_t>(numbers.height);
     task_limits_ = limits_for(std::max(decoded, numbers.bytes), limits_);
     patience_ = Patience{task_limits_.time};
     if (reader::sanitized) return;
-    // From here: the process itself may not change its limits.
+    // Set from here, because the process itself may not change its limits.
     rlimit memory{};
     ::getrlimit(RLIMIT_DATA, &memory);
     memory.rlim_cur = std::min<rlim_t>(memory.rlim_cur, task_limits_.memory);
@@ -183,7 +183,7 @@ std::string ImageEncoder::receive_text(std::uint64_t most) {
 
 std::string ImageEncoder::finish() {
     const std::string message = receive_text(reader::longest_refusal);
-    std::string encoded = receive_text(task_limits_.memory); // it cannot have had more
+    std::string encoded = receive_text(task_limits_.memory); // the process cannot have had more
     if (!message.empty()) throw FileError(message);
     return encoded;
 }

@@ -31,30 +31,30 @@ struct PictureTask {
     std::string path, description;
 };
 
-/// False, or none, when the other side is gone.
+/// False, or nothing, if the other side is gone.
 bool send_task(int socket, const PictureTask& task);
 std::optional<PictureTask> receive_task(int socket);
 
-/// Whether the file holds a whole picture of that size.
+/// Whether the file holds a whole picture of this size.
 bool is_whole_picture(const SourceFile& file, glm::ivec2 size);
 
 /// A confined process (confinement.hpp) that has the module for pictures of one type and works on
-/// what comes through a socket. For a process with one thread: it is a copy of it, and ends with
-/// it. Pictures of the other type have another process.
+/// tasks that come through a socket. It is a copy of the process that makes it, which must have one
+/// thread, and ends with that. Pictures of the other type have another process.
 ///
-/// Its memory and its time are limited as those of readers are. Where it exceeds them or crashes,
-/// the task fails, and the next one has another process.
+/// Its memory and time are limited as those of readers are. If it exceeds the limits or crashes,
+/// the task fails, and the next task gets another process.
 class ImageEncoder {
   public:
-    /// `first`: of the first picture, whose module loads at once. `limits`: of each task. 0: by the
-    /// size of its picture.
+    /// `first`: type of the first picture, whose module loads at once. `limits`: those of each
+    /// task; 0: by the size of its picture.
     ImageEncoder(PictureType first, const ReadLimits& limits);
 
-    // For each task begin(), append() until all bytes are there, and finish(). They throw
-    // FileError: what is refused, why the picture is not whole, or how the process has failed.
+    // For each task begin(), append() until all bytes are there, and finish(). They throw FileError
+    // if the picture is refused or not whole, or if the process has failed.
     void begin(const PictureTask& task);
     void append(std::span<const std::byte> bytes);
-    /// What the file is to hold; of a check nothing.
+    /// The content of the file; for a check nothing.
     std::string finish();
 
   private:
@@ -63,10 +63,10 @@ class ImageEncoder {
     void limit(const PictureTask& task);
     void receive(std::span<std::byte> bytes);
     std::string receive_text(std::uint64_t most);
-    /// Says how the process has failed; it is gone then.
+    /// Ends the process and throws FileError that says how it has failed.
     [[noreturn]] void fail();
 
-    WorkerProcess worker_; ///< none: it starts with the next task
+    WorkerProcess worker_; ///< none: a process starts with the next task
     PictureType type_;
     ReadLimits limits_, task_limits_;
     Patience patience_{std::chrono::nanoseconds{0}};

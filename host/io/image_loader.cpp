@@ -7,7 +7,7 @@ namespace lineatlas {
 
 namespace {
 
-/// The one for all types where it is installed: then it has to load.
+/// The module for all types if it is installed; then that one must load.
 const ModuleFile& installed(PictureType type) {
     if (type == PictureType::any && has_module(module_files::images)) return module_files::images;
     find_module(module_files::png);

@@ -11,15 +11,15 @@ namespace lineatlas {
 /// they load.
 enum class PictureType {
     png, ///< lineatlas-png
-    any  ///< lineatlas-images where it is installed, else lineatlas-png
+    any  ///< lineatlas-images if it is installed, else lineatlas-png
 };
 
 PictureType type_by_name(const std::filesystem::path& path);
-/// Of a file that is there: its name may be wrong.
+/// The type of a file by its content, because its name may be wrong.
 PictureType type_by_content(std::string_view file);
 
-/// The module for pictures of that type, loaded when first asked for. Throws FileError if it cannot
-/// be.
+/// The module for pictures of a type, loaded when first asked for. Throws FileError if it cannot be
+/// loaded.
 const images::Module& image_module(PictureType type);
 
 /// Throws FileError unless the module is where it should be. Loads nothing.

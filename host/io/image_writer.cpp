@@ -72,8 +72,8 @@ class Incoming {
   public:
     Incoming(int socket, std::uint64_t bytes) : socket_(socket), left_(bytes) {}
 
-    /// The next piece, so that a large picture is in the encoder's memory alone; empty after the
-    /// last one, or where no more will come.
+    /// The next piece of the picture, so that only the encoder holds a large picture as a whole.
+    /// Empty after the last piece, or if no more will come.
     std::span<const std::byte> next() {
         piece_.resize(std::min<std::uint64_t>(left_, std::uint64_t{1} << 20U));
         left_ -= piece_.size();
@@ -82,7 +82,7 @@ class Incoming {
         whole_ = false;
         return {};
     }
-    /// Whether all of it came; takes what is left.
+    /// Takes the rest of the picture. Returns whether all of it came.
     bool is_whole() {
         while (!next().empty()) continue;
         return whole_;
@@ -95,8 +95,8 @@ class Incoming {
     std::vector<std::byte> piece_;
 };
 
-/// Does the next task: what a picture is to hold is the encoder's matter, files are this process'.
-/// The answer: empty if all is well, else a message. None when no more will come.
+/// Does the next task. The encoder makes the content of a file, and this process writes it. Returns
+/// the answer: empty if all is well, else a message; nothing if no more tasks will come.
 std::optional<std::string> answer_next(int socket, ImageEncoder& encoder) {
     std::optional<PictureTask> task = receive_task(socket);
     if (!task) return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<std::string> answer_next(int socket, ImageEncoder& encoder) {
     }
 }
 
-/// What the process does until the other side is gone.
+/// The work of the process until the other side is gone.
 void serve(int socket, PictureType first, const ReadLimits& limits) {
     for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_IGN);
     ::dup2(socket, STDIN_FILENO);
@@ -148,7 +148,7 @@ ImageWriter::ImageWriter(const std::filesystem::path& first, const ReadLimits& l
 }
 
 ImageWriter::~ImageWriter() {
-    if (process_ > 0 && !writing_) ::kill(process_, SIGKILL); // it may still be loading
+    if (process_ > 0 && !writing_) ::kill(process_, SIGKILL); // it may still be loading the module
     end();
 }
 
@@ -161,9 +161,9 @@ void ImageWriter::start(PictureType first, const ReadLimits& limits) {
         try {
             serve(sockets[1], first, limits);
         } catch (const std::exception&) {
-            // No answer is one, too.
+            // The missing answer tells the other side.
         }
-        ::_exit(0); // what the program still has to say or to do is not for this copy
+        ::_exit(0); // this copy must not do what the program does at its end
     }
     ::close(sockets[1]);
     socket_ = sockets[0];

@@ -31,7 +31,7 @@ ReaderKind::Parse open_mesh(const std::filesystem::path& path, std::string_view 
 
 ReaderKind::Parse open_picture(const std::filesystem::path& path, std::string_view) {
     SourceFile file = read_source(path);
-    image_module(type_by_content(file.bytes)); // later there is no loading
+    image_module(type_by_content(file.bytes)); // nothing can be loaded later
     return [file = std::move(file)](ReaderOutput& output) { send(output, decode_image(file)); };
 }
 
@@ -40,8 +40,8 @@ constexpr std::array kinds{ReaderKind{mesh_kind, open_mesh}, ReaderKind{image_ki
 } // namespace
 
 ReadLimits limits_for_picture(const ReadLimits& limits) {
-    // A picture of 4096 x 4096 floats. What is packed well need not be large to need far more, and
-    // what is large need not be a picture: the size of the file says nothing.
+    // Memory for a picture of 4096 x 4096 floats. The size of the file says nothing: a small file
+    // may unpack to far more, and a large one need not be a picture.
     constexpr std::uint64_t usual_memory = std::uint64_t{512} << 20U;
     constexpr std::chrono::seconds usual_time{60};
     ReadLimits filled = limits;
@@ -61,7 +61,7 @@ LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimit
 
 LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesystem::path& path,
                         const ReadLimits& limits, const LoadOptions& options) {
-    // As text: %.17g gives back the same numbers.
+    // As text, in which %.17g keeps numbers exactly.
     std::array<char, 64> settings{};
     std::snprintf(settings.data(), settings.size(), "%.17g %.17g", options.deflection,
                   options.pixels);

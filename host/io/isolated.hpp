@@ -12,12 +12,12 @@ namespace lineatlas {
 /// To be called first in main(), with its arguments: if it returns a code, main() ends with that.
 std::optional<int> serve_as_reader(int argc, char** argv);
 
-/// `limits` with everything filled in that is 0, for a picture of a pen.
+/// `limits` with its zeros filled in, for a picture of a pen.
 ReadLimits limits_for_picture(const ReadLimits& limits);
 
 LoadedMesh load_mesh_isolated(const std::filesystem::path& path, const ReadLimits& limits = {},
                               const LoadOptions& options = {});
-/// The same by another program that calls serve_as_reader().
+/// As load_mesh() here, by another program that calls serve_as_reader().
 LoadedMesh load_mesh_by(const std::filesystem::path& program, const std::filesystem::path& path,
                         const ReadLimits& limits, const LoadOptions& options);
 Image read_image_isolated(const std::filesystem::path& path, const ReadLimits& limits = {});

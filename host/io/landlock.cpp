@@ -15,14 +15,15 @@ namespace lineatlas {
 
 namespace {
 
-// The C library has no functions for these, and headers of a system know what its own age had.
+// The C library has no functions for these calls, and headers of a system know only what its kernel
+// had.
 
-/// landlock_ruleset_attr: what is refused unless a rule allows it, and there is none.
+/// landlock_ruleset_attr: the actions that are refused unless a rule allows them.
 struct Ruleset {
     std::uint64_t files, network, scopes;
 };
 
-/// landlock_path_beneath_attr: what is allowed in a folder and in all that it holds.
+/// landlock_path_beneath_attr: the actions that are allowed in a folder and everything below it.
 struct [[gnu::packed]] FolderRule {
     std::uint64_t allowed;
     std::int32_t folder;
@@ -37,7 +38,7 @@ constexpr std::uint64_t lowest(int bits) {
 }
 
 Ruleset everything(int version) {
-    constexpr int since_1 = 13, since_2 = 14, since_3 = 15, since_5 = 16; // rights of files
+    constexpr int since_1 = 13, since_2 = 14, since_3 = 15, since_5 = 16; // numbers of rights
     const int files = version >= 5   ? since_5
                       : version >= 3 ? since_3
                       : version >= 2 ? since_2
@@ -47,18 +48,18 @@ Ruleset everything(int version) {
             .scopes = version >= 6 ? lowest(2) : 0};
 }
 
-/// Older kernels refuse what is longer than what they know.
+/// The size of a ruleset by version. Older kernels refuse a longer one than they know.
 std::size_t size_of_ruleset(int version) {
     if (version >= 6) return sizeof(Ruleset);
     return version >= 4 ? offsetof(Ruleset, scopes) : offsetof(Ruleset, network);
 }
 
-/// Throws std::system_error where a system call has failed.
+/// Throws std::system_error if a system call has failed.
 void check(long result) {
     if (result < 0) throw std::system_error(errno, std::generic_category(), "Landlock");
 }
 
-/// What a system call has opened.
+/// The descriptor that a system call has opened. Throws if it failed.
 FileDescriptor opened(long number) {
     check(number);
     return FileDescriptor{static_cast<int>(number)};

@@ -46,10 +46,10 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
     return read_om(model);
 }
 
-/// Throws UsageError for what can't be.
+/// The limits of the options. Throws UsageError for impossible ones.
 ReadLimits limits_of(const LoadOptions& options) {
     const auto check = [](const char* member, double value, const char* most) {
-        if (value >= 0 && value <= std::atof(most)) return; // NaN is not
+        if (value >= 0 && value <= std::atof(most)) return; // false for NaN
         throw UsageError(std::string{member} + " must be from 0 to " + most);
     };
     check("LoadOptions::deflection", options.deflection, "1e15");

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view blanks = " \t";
 
-/// What follows each `mtllib`, which stands first in its line; each name once.
+/// The text after each `mtllib` that begins a line; each name once.
 std::vector<std::string> material_names(std::string_view text) {
     constexpr std::string_view keyword = "mtllib";
     std::vector<std::string> names;

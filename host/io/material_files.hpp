@@ -13,9 +13,9 @@ struct MaterialFiles {
     std::vector<std::string> notes;    ///< one line for each that could not be read
 };
 
-/// Reads what follows each `mtllib` of `obj`. Only regular files beside the OBJ file or below its
-/// folder, wherever links lead: a model that was sent by somebody says nothing about what else is
-/// on this machine.
+/// Reads the files that each `mtllib` of `obj` names. Only regular files beside the OBJ file or
+/// below its folder are read, wherever links lead, so that a stranger's model cannot find out about
+/// other files on this machine.
 MaterialFiles read_material_files(const SourceFile& obj);
 
 } // namespace lineatlas

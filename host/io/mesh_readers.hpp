@@ -9,9 +9,9 @@ namespace lineatlas {
 /// the file has that much data. Throws FileError at the first error, a missing end included.
 Soup read_ply(const SourceFile& source);
 Soup read_off(const SourceFile& source);
-/// The corners of a facet stand in it as coordinates: equal ones become one.
+/// An STL facet holds the coordinates of its corners. Equal corners become one.
 Soup read_stl(const SourceFile& source);
-/// By OpenMesh's own reader.
+/// Reads with OpenMesh's own reader.
 Soup read_om(const SourceFile& source);
 
 } // namespace lineatlas

@@ -17,14 +17,14 @@ namespace lineatlas {
 struct MeshSource {
     SourceFile model;
     MaterialFiles materials;
-    std::vector<models::NamedFile> named{}; ///< that a scene names
+    std::vector<models::NamedFile> named{}; ///< the files that a scene names
 };
 
-/// Loads the module that the type needs, too. Throws FileError for what can't be read and for types
-/// that are no mesh.
+/// Reads the files, and loads the module that the type needs. Throws FileError for files that
+/// cannot be read and for types that are no mesh.
 MeshSource read_mesh_source(const std::filesystem::path& path);
 
-/// Opens nothing. Throws FileError, and Cancelled.
+/// Parses the files. Opens nothing. Throws FileError and Cancelled.
 LoadedMesh parse_mesh(MeshSource source, const LoadOptions& options = {},
                       const ProgressPart& progress = ProgressPart::none());
 

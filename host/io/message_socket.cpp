@@ -38,7 +38,7 @@ bool Patience::wait_for(int socket, short events) {
         const Clock::time_point now = Clock::now();
         left_ -= std::min<std::chrono::nanoseconds>(now - last_, 2 * longest);
         last_ = now;
-        if (ready > 0) return !is_over(); // what comes too late is not taken
+        if (ready > 0) return !is_over(); // data that comes too late is not taken
     }
     return false;
 }

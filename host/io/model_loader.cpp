@@ -17,14 +17,14 @@ namespace {
 struct Family {
     const ModuleFile& file;
     const char* symbol;
-    bool crashes = false; ///< on damaged files, whatever is done about it here
+    bool crashes = false; ///< on damaged files, in spite of all checks
 };
 
 constexpr Family gltf{.file = module_files::gltf, .symbol = models::gltf_symbol};
 constexpr Family brep{.file = module_files::brep, .symbol = models::brep_symbol, .crashes = true};
 constexpr Family threemf{.file = module_files::threemf, .symbol = models::threemf_symbol};
 
-/// Loaded once: when a file is believed, nothing can be opened any more.
+/// The module of a family, loaded once. After that the process is confined and can open nothing.
 template <const Family& family>
 const models::Module& module_of() {
     static const auto& module =
@@ -76,7 +76,7 @@ const Reader* find(std::string_view extension) {
     return found == readers.end() ? nullptr : found;
 }
 
-/// What a library says, as one line of moderate length.
+/// A library's message as one line of moderate length.
 std::string one_line(std::string_view message) {
     constexpr std::size_t longest = 300;
     return printable(message.substr(0, message.find_first_of("\r\n")), longest);

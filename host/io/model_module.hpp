@@ -14,26 +14,27 @@ struct NamedFile {
     std::string bytes;
 };
 
-/// What a module reads.
+/// The model that a module has to read.
 struct Request {
     std::string_view extension;       ///< of the model's file: lower case, with its dot
-    std::string_view bytes;           ///< all of it
-    std::span<const NamedFile> named; ///< those of the files it names that may be read
+    std::string_view bytes;           ///< the whole file
+    std::span<const NamedFile> named; ///< the files that it names, as far as they may be read
     /// How far a chord may be off a curved face, in the model's units; 0: a quarter of a pixel.
     double deflection = 0;
-    double pixels = 1; ///< that the model's diagonal is drawn over
+    double pixels = 1; ///< length of the model's diagonal in the drawing
 };
 
-/// What a module for a family of models offers. Each links libraries that who never reads such a
-/// model need not have. It opens nothing, since it runs confined (io/confinement.hpp). Whatever is
-/// refused ends in a std::runtime_error that says the cause in one line.
+/// The functions of a module for a family of models. Each module links large libraries, which users
+/// who never read such a model need not install. A module opens nothing, because it runs confined
+/// (io/confinement.hpp). It refuses a model by a std::runtime_error that says the cause in one
+/// line.
 struct Module {
-    /// Called before the process is confined: for libraries that look around when they start.
+    /// Called before the process is confined, for libraries that read files when they start.
     void (*prepare)();
     Soup (*read)(const Request& request);
 };
 
-// The modules' one symbol each. Their numbers change with `Module` and all that it names.
+// The one symbol of each module. Its number changes with `Module` and the types that it names.
 inline constexpr const char* gltf_symbol = "lineatlas_gltf_2";
 inline constexpr const char* brep_symbol = "lineatlas_brep_2";
 inline constexpr const char* threemf_symbol = "lineatlas_3mf_2";

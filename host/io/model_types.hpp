@@ -15,10 +15,10 @@ enum class ModelReader { obj, ply, stl, off, om, gltf, threemf, brep };
 struct ModelType {
     std::string_view extension; ///< lower case, with its dot
     ModelReader reader;
-    UsualUp up = UsualUp::y; ///< what is upwards in most models of it
+    UsualUp up = UsualUp::y; ///< the direction that is up in most models of the type
 };
 
-/// All types of models that are read. Machines are drawn lying on a table.
+/// All types of models that are read. In types for machines z is up, as on a table.
 inline constexpr std::array model_types{
     ModelType{".obj", ModelReader::obj},
     ModelType{".ply", ModelReader::ply},
@@ -36,13 +36,13 @@ inline constexpr std::array model_types{
     ModelType{".brp", ModelReader::brep, UsualUp::z},
 };
 
-/// That of an extension, or null.
+/// The type of an extension, or null.
 const ModelType* find_model_type(std::string_view extension);
 
 /// ".obj, .ply ... and .brp", for messages.
 std::string model_extensions();
 
-/// What is upwards in most models of a file's type.
+/// The direction that is up in most models of a file's type.
 UsualUp usual_up(const std::filesystem::path& model);
 
 } // namespace lineatlas

@@ -35,13 +35,13 @@ FileError load_error(const ModuleFile& module, const fs::path& path, const std::
     return FileError("cannot load " + quoted(path) + ", " + module.purpose + ": " + cause);
 }
 
-/// Where it may be, the last of them for messages.
+/// Where a module may be. Messages name the last place.
 std::vector<fs::path> places_of(const ModuleFile& module) {
     const std::string file_name = std::string{module.name} + ".so";
     if (const char* folder = std::getenv("LINEATLAS_MODULE_DIR"))
         return {fs::path(folder) / file_name};
     const fs::path own = own_folder();
-    // Of a shared library, of an installed program, of the programs and tests of a build.
+    // Places beside a shared library, an installed program, and the programs and tests of a build.
     std::vector<fs::path> places;
     for (const fs::path& folder :
          {own, own / LINEATLAS_LIBRARIES_FROM_PROGRAMS, own / "lib", own.parent_path() / "lib"})
@@ -90,7 +90,7 @@ const void* load_module(const ModuleFile& module, const char* symbol) {
     void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (library == nullptr) {
         const std::string cause = dlerror();
-        // Of a library that is there but has no room the linker says much, and not that.
+        // If memory is too small for a library, the linker's message does not say so.
         constexpr std::size_t room_of_libraries = std::size_t{16} << 20U;
         ::operator delete(::operator new(room_of_libraries));
         throw load_error(module, path,

@@ -9,23 +9,23 @@ namespace lineatlas {
 struct ModuleFile {
     const char* name;    ///< of the file without its .so, and of the target that builds it
     const char* purpose; ///< "which ...", for messages
-    const char* library; ///< that it links, and
-    const char* package; ///< what brings that on Debian
-    const char* own_package = nullptr; ///< of Debian in which it comes alone
+    const char* library; ///< the library that it links
+    const char* package; ///< the Debian package with that library
+    const char* own_package = nullptr; ///< the Debian package of the module alone
 };
 
-/// Where it is: LINEATLAS_MODULE_DIR, or lib/lineatlas beside this program or shared library.
-/// Loads nothing. Throws FileError.
+/// The path of a module: in LINEATLAS_MODULE_DIR, or in lib/lineatlas beside this program or shared
+/// library. Loads nothing. Throws FileError.
 std::filesystem::path find_module(const ModuleFile& module);
 
-/// Whether this lineatlas was built with it, be it installed or not.
+/// Whether this lineatlas was built with the module, installed or not.
 bool was_built(const ModuleFile& module);
 
-/// Whether it is anywhere there.
+/// Whether the module is in any of its places.
 bool has_module(const ModuleFile& module);
 
-/// Loads it for the rest of the process and returns its one symbol, which is named by version.
-/// Throws FileError.
+/// Loads a module for the rest of the process and returns its one symbol, which carries a version
+/// in its name. Throws FileError.
 const void* load_module(const ModuleFile& module, const char* symbol);
 
 } // namespace lineatlas

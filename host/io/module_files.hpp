@@ -4,8 +4,8 @@
 
 #include "module_file.hpp"
 
-/// All modules. A module's package is the one with the library that is needed to build the module;
-/// its name is the same in Debian 12, 13 and testing.
+/// All modules. The package of a module is the one with the library that building the module needs.
+/// Its name is the same in Debian 12, 13 and testing.
 namespace lineatlas::module_files {
 
 inline constexpr ModuleFile png{.name = "lineatlas-png",

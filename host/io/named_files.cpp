@@ -24,7 +24,7 @@ NamedFiles::NamedFiles(const fs::path& model) {
 }
 
 NamedFiles::Outcome NamedFiles::read(const fs::path& name, std::string& contents) const {
-    // By its name first, so that nothing outside is even asked for.
+    // The name is checked first, so that nothing outside the folder is even asked for.
     const fs::path path = (folder_ / name).lexically_normal();
     if (!is_below(path, folder_)) return Outcome::outside;
     std::error_code error;

@@ -13,7 +13,7 @@ class NamedFiles {
     explicit NamedFiles(const std::filesystem::path& model);
 
     enum class Outcome { read, missing, outside };
-    /// Puts what the file holds into `contents`.
+    /// Reads a file into `contents`.
     Outcome read(const std::filesystem::path& name, std::string& contents) const;
 
   private:

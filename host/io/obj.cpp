@@ -16,7 +16,7 @@ namespace lineatlas {
 
 namespace {
 
-/// A stream over text that is already in memory, which knows how far it was read.
+/// A stream over text that is already in memory. It knows how far it was read.
 class TextStream : private std::streambuf, public std::istream {
   public:
     explicit TextStream(std::string& text) : std::istream(static_cast<std::streambuf*>(this)) {
@@ -55,7 +55,7 @@ class ObjSoup {
         if (!tinyobj::LoadObjWithCallback(stream_, callbacks, this))
             throw read_error(source_.path, "tinyobjloader refuses it");
 
-        // One nameless group says nothing about the mesh.
+        // A single group without a name says nothing about the mesh.
         const bool nameless = soup_.groups.size() == 1 && soup_.groups[0].object.empty() &&
                               soup_.groups[0].material.empty();
         if (nameless) {
@@ -104,7 +104,8 @@ class ObjSoup {
     std::uint32_t vertex(int index) const {
         const auto count = static_cast<long long>(soup_.positions.size());
         const long long from_zero = index < 0 ? count + index : static_cast<long long>(index) - 1;
-        // Positive indices may run ahead of the vertices; those are judged when all are there.
+        // Positive indices may refer to later vertices. They are checked when all vertices are
+        // read.
         const bool ahead = index > 0 && from_zero >= count;
         if (index == 0 || from_zero < 0 || (ahead && from_zero >= vertices_in_file()))
             throw read_error(source_.path,
@@ -163,7 +164,7 @@ class ObjSoup {
     ObjText& text_;
     const ObjMaterials& materials_;
     const ProgressPart& progress_;
-    std::uint32_t told_ = 0; ///< vertices and faces that have been read
+    std::uint32_t told_ = 0; ///< vertices and faces of which progress was told
     TextStream stream_;
     Soup soup_;
     std::vector<std::uint32_t> corners_;
@@ -181,7 +182,7 @@ class ObjSoup {
 
 Soup read_obj(SourceFile source, const MaterialFiles& files, const ProgressPart& progress) {
     ObjText text = reduce_obj(source);
-    source.bytes = std::string(); // a second copy of a large model is not needed any more
+    source.bytes = std::string(); // frees the second copy of a large model
     const ObjMaterials materials(files.contents);
     Soup soup = ObjSoup(source, text, materials, progress).read();
     soup.notes.insert(soup.notes.end(), files.notes.begin(), files.notes.end());

@@ -10,8 +10,8 @@
 namespace lineatlas {
 namespace {
 
-/// A material as the file has it. tinyobjloader takes one that says nothing of its colour for
-/// black, and since its version 2rc13 cuts names at the first space.
+/// A material as the file has it. tinyobjloader makes a material without a colour black, and from
+/// version 2rc13 on cuts names at the first space.
 struct Named {
     std::string name;
     bool has_color = false;

@@ -12,10 +12,11 @@ namespace lineatlas {
 /// The diffuse colours of material files (MTL).
 class ObjMaterials {
   public:
-    /// `files` are their contents; of a material that several define, the first counts.
+    /// `files`: the contents of the files. If several define a material, the first definition
+    /// counts.
     explicit ObjMaterials(std::span<const std::string> files);
 
-    /// Nothing for a material that no file defines.
+    /// The colour of a material; nothing if no file defines it.
     std::optional<glm::vec3> color(const std::string& material) const;
 
   private:

@@ -136,7 +136,7 @@ class Reduction {
             result_.text += word;
         }
         if (last_ && count < fewest) throw truncated();
-        if (count == 0) result_.text += " 0"; // seen as a face without corners, and counted as such
+        if (count == 0) result_.text += " 0"; // read as a face without corners, and counted as one
     }
 
     FileError truncated() const {
@@ -146,7 +146,7 @@ class Reduction {
 
     const SourceFile& source_;
     ObjText result_;
-    std::string joined_; // of lines that end in a backslash
+    std::string joined_; // lines that end in a backslash, joined
     std::size_t line_ = 0;
     bool last_ = false; // the line has no line end
 };

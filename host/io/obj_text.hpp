@@ -10,17 +10,18 @@
 
 namespace lineatlas {
 
-/// OBJ text reduced to what tinyobjloader reads right. tinyobjloader takes a word that is no number
-/// for zero, reads only floats, takes a comment behind a face for more corners, and has no `l`
-/// elements in its callback interface.
+/// OBJ text, reduced to the elements that tinyobjloader reads correctly. tinyobjloader takes a word
+/// that is no number for zero, reads only floats, takes a comment behind a face for more corners,
+/// and has no `l` elements in its callback interface.
 struct ObjText {
-    std::string text;                  ///< v, f, o, g and usemtl; one line for each in the file
-    std::vector<glm::dvec3> positions; ///< of the v lines, which are all zeros in `text`
-    std::vector<std::size_t> polyline_ends; ///< ends in `text` of the f lines that were l lines
+    std::string text; ///< v, f, o, g and usemtl; one line for each in the file
+    /// The positions of the v lines, which are all zeros in `text`.
+    std::vector<glm::dvec3> positions;
+    std::vector<std::size_t> polyline_ends; ///< ends of those f lines in `text` that were l lines
 };
 
-/// Throws FileError with its line for a `v` without three numbers, for a corner that is no index,
-/// and for text that is no OBJ at all.
+/// Reduces an OBJ file. Throws FileError, with the line, for a `v` without three numbers, for a
+/// corner that is no index, and for text that is no OBJ at all.
 ObjText reduce_obj(const SourceFile& source);
 
 } // namespace lineatlas

@@ -9,8 +9,8 @@ namespace lineatlas {
 
 namespace {
 
-/// Takes of each vertex its place and of each face its corners; what else stands on their lines,
-/// normals, colours and texture coordinates, is left.
+/// Reads the places of vertices and the corners of faces. Ignores normals, colours and texture
+/// coordinates on their lines.
 class OffText {
   public:
     explicit OffText(const SourceFile& source) : source_(source), cursor_(source.bytes, '#') {}
@@ -51,7 +51,7 @@ class OffText {
                 throw read_error(source_.path, "its vertices have more than three dimensions (" +
                                                    printable(word) + ")");
             word.remove_prefix(place + keyword.size());
-            if (word.empty()) word = cursor_.next(); // else the counts follow without a blank
+            if (word.empty()) word = cursor_.next(); // otherwise the counts follow without a blank
         }
         if (word == "BINARY")
             throw read_error(source_.path,

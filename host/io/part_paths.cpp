@@ -7,7 +7,7 @@ namespace lineatlas {
 
 namespace {
 
-/// By the objects of a tree of parts.
+/// The paths of parts, by the objects of a tree of parts.
 PartPaths of_tree(const LoadedMesh& loaded) {
     PartPaths result{.paths = {},
                      .of_triangle = loaded.mesh.triangle_object,

@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// The pictures of the pens that are image files, by the names of their marks; not those of `known`
-/// marks. Throws FileError.
+/// Reads the pictures of pens whose marks are image files, by the names of the marks. Leaves out
+/// `known` marks. Throws FileError.
 std::map<std::string, Image>
 read_pen_images(const Style& style, const std::set<std::string>& known = {},
                 const std::function<Image(const std::filesystem::path&)>& read = read_image);

@@ -17,13 +17,13 @@ namespace lineatlas {
 
 namespace {
 
-/// Hands out the values behind a PLY header one by one, whatever their encoding.
+/// Returns the values behind a PLY header one by one, whatever their encoding.
 class PlyValues {
   public:
     PlyValues(std::string_view bytes, PlyEncoding encoding, std::size_t first_line)
         : bytes_(bytes), encoding_(encoding), text_(bytes, 0, first_line) {}
 
-    /// Nothing at the end of the data and for a word that is no number.
+    /// The next value. Nothing at the end of the data, or for a word that is no number.
     std::optional<double> next(const PlyType& type) {
         if (encoding_ == PlyEncoding::ascii) return parse_number(text_.next());
         if (bytes_.size() - at_ < type.size) return {};
@@ -60,8 +60,8 @@ class PlyValues {
     TextCursor text_;
 };
 
-/// Takes x, y and z of each vertex and the first list of corners of each face; what else there is
-/// is walked over.
+/// Reads x, y and z of each vertex and the first list of corners of each face. Skips everything
+/// else.
 class PlyFile {
   public:
     PlyFile(const SourceFile& source, const PlyHeader& header)
@@ -191,7 +191,7 @@ class PlyFile {
         return value >= 0 && value < static_cast<double>(limit) && value == std::floor(value);
     }
 
-    /// With as few digits as tell it from its neighbours.
+    /// A number with as few digits as tell it from its neighbours.
     static std::string shortest(double value) {
         std::array<char, 32> text{};
         return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
@@ -200,7 +200,7 @@ class PlyFile {
     const SourceFile& source_;
     const PlyHeader& header_;
     PlyValues values_;
-    std::size_t vertices_ = 0; // as the header says: a file may have its faces before them
+    std::size_t vertices_ = 0; // as the header says; faces may come before vertices
     Soup soup_;
 };
 

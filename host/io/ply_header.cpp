@@ -61,8 +61,8 @@ class HeaderText {
                           "line " + std::to_string(header_.lines) + " of its header " + cause);
     }
 
-    /// Without its end, which may be LF, CRLF or CR. Only a CR that an LF follows takes two bytes:
-    /// behind `end_header` anything else belongs to the data already.
+    /// The next line without its end, which may be LF, CRLF or CR. Only CRLF takes two bytes:
+    /// behind `end_header` any other byte belongs to the data.
     std::string_view line() {
         const std::size_t begin = header_.size;
         const std::size_t end = bytes_.find_first_of("\r\n", begin);

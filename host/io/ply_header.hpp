@@ -19,7 +19,7 @@ struct PlyType {
 
 struct PlyProperty {
     std::string name;
-    PlyType type;                      ///< of the value, or of each value of a list
+    PlyType type;                      ///< type of the value, or of each value of a list
     std::optional<PlyType> count_type; ///< set for lists
 
     bool is_corners() const { return name == "vertex_indices" || name == "vertex_index"; }
@@ -38,8 +38,7 @@ struct PlyHeader {
     std::size_t lines = 0;
 };
 
-/// Throws FileError unless the file starts with a complete header that has vertices with x, y and
-/// z.
+/// Reads a header. Throws FileError unless it is complete and has vertices with x, y and z.
 PlyHeader read_ply_header(const SourceFile& source);
 
 } // namespace lineatlas

@@ -5,8 +5,8 @@
 
 namespace lineatlas {
 
-// Results of reading, sent from the process that reads to the one that asked. receive_model() and
-// receive_picture() throw FileError for what is_sound() refuses.
+// Results of reading, sent from the process that reads to the process that asked. receive_model()
+// and receive_picture() throw FileError for results that is_sound() refuses.
 
 void send(ReaderOutput& output, const LoadedMesh& loaded);
 LoadedMesh receive_model(ReaderProcess& process);

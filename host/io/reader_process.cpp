@@ -37,7 +37,7 @@ std::string signal_name(int signal) {
     return name != nullptr ? std::string{"SIG"} + name : "signal " + std::to_string(signal);
 }
 
-/// Silent, since libraries print what they find wrong; what the reader refuses comes as an answer.
+/// Silences the process, because libraries print errors. The reader's refusals come as answers.
 void add_silence(posix_spawn_file_actions_t& actions) {
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (!reader::sanitized)
@@ -51,8 +51,8 @@ std::string written_gibibytes(std::uint64_t bytes) {
 }
 
 ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits) {
-    // A text of triangles takes up to twenty times its size while it is read, on a slow machine a
-    // second per 10 MB.
+    // Reading a text of triangles takes up to twenty times its size in memory, and on a slow
+    // machine a second per 10 MB.
     constexpr std::uint64_t least_memory = std::uint64_t{2} << 30U;
     constexpr std::uint64_t memory_per_byte = 32;
     constexpr std::uint64_t bytes_per_millisecond = 1000;
@@ -73,7 +73,7 @@ ReaderProcess::ReaderProcess(std::string_view kind, const std::filesystem::path&
     const std::uintmax_t size = check_source(path);
     limits_ = limits_for(size, limits);
     patience_ = Patience{limits_.time};
-    if (size > limits_.memory) fail_for_memory(); // it is read whole
+    if (size > limits_.memory) fail_for_memory(); // the whole file must fit
     start(kind, settings, program.empty() ? "/proc/self/exe" : program);
     await_answer();
 }
@@ -135,7 +135,7 @@ std::string ReaderProcess::text() {
 
 std::size_t ReaderProcess::count(std::size_t element_size) {
     const auto count = value<std::uint64_t>();
-    // No more than the process may have had itself.
+    // The process itself cannot have had more.
     if (count > (limits_.memory - kept_) / element_size) refuse();
     kept_ += count * element_size;
     return count;
@@ -149,7 +149,7 @@ void ReaderProcess::receive(std::span<std::byte> bytes) {
         bytes = bytes.subspan(there);
         if (bytes.empty()) return;
         constexpr std::size_t room = std::size_t{64} << 10U;
-        if (bytes.size() >= room) { // what is large isn't copied
+        if (bytes.size() >= room) { // large values are not copied
             if (receive_all(worker_.socket(), bytes, patience_)) return;
             break;
         }
@@ -164,12 +164,12 @@ void ReaderProcess::receive(std::span<std::byte> bytes) {
          " s; LoadOptions::read_seconds allows more");
 }
 
-/// Says how the process ended.
+/// Throws FileError that says how the process ended.
 void ReaderProcess::ended() {
     const auto [status, went_on_mute] = worker_.ending();
     if (went_on_mute)
         fail("its reader closed its answer before it was whole; the file is damaged or hostile");
-    constexpr int cannot_load = 127; // of the loader, which has no room for libraries
+    constexpr int cannot_load = 127; // exit status of the loader if it has no memory for libraries
     if (WIFEXITED(status) && WEXITSTATUS(status) == cannot_load) fail_for_memory();
     if (!WIFSIGNALED(status))
         fail("its reader ended unexpectedly with code " + std::to_string(WEXITSTATUS(status)));

@@ -19,22 +19,23 @@ namespace lineatlas {
 
 // Files are read in a process of their own: whatever a hostile file does to its parser, the calling
 // process only gets a FileError. The reading process is this program itself, started again, so its
-// main() begins with serve_as_reader(). For programs that embed the library it is another program
-// whose main() does so. Not a fork: a copy of a process with several threads may find locks held.
+// main() begins with serve_as_reader(). Programs that embed the library use another program that
+// does so. The process is not a fork, because a copy of a process with several threads may find
+// locks held.
 
-/// What reading one file may take. 0: by the size of the file.
+/// The limits of reading one file. 0: by the size of the file.
 struct ReadLimits {
-    std::uint64_t memory = 0; ///< bytes: of the process that reads, and of what is kept of it here
-    std::chrono::milliseconds time{0}; ///< until all of it is here
+    std::uint64_t memory = 0; ///< bytes, of the process that reads, and of its results here
+    std::chrono::milliseconds time{0}; ///< until the whole result is here
 };
 
-/// `limits` with everything filled in, for a file of `size` bytes.
+/// `limits` with its zeros filled in, for a file of `size` bytes.
 ReadLimits limits_for(std::uintmax_t size, const ReadLimits& limits);
 
 /// For messages: "0.25 GiB".
 std::string written_gibibytes(std::uint64_t bytes);
 
-/// The other process: what it reads goes out here, after all of it has been read.
+/// The output of the process that reads. Results go out after the whole file has been read.
 class ReaderOutput {
   public:
     explicit ReaderOutput(int socket) : socket_(socket) {}
@@ -62,14 +63,14 @@ class ReaderOutput {
     int socket_;
 };
 
-/// Something that can be read: the name it is asked for by, and how it is read.
+/// A kind of file that can be read: its name, and how it is read.
 struct ReaderKind {
     using Parse = std::function<void(ReaderOutput&)>;
 
     std::string_view name;
-    /// Reads all files that belong to it, but believes nothing in them. What it returns does: it is
-    /// called when the process is confined (confinement.hpp).
-    /// `settings`: what the ReaderProcess was given.
+    /// Reads all files that belong to the model or picture, without parsing them. The function that
+    /// it returns parses them; it is called when the process is confined (confinement.hpp).
+    /// `settings`: those that the ReaderProcess was given.
     Parse (*open)(const std::filesystem::path& path, std::string_view settings);
 };
 
@@ -77,21 +78,23 @@ struct ReaderKind {
 /// main() is to end with.
 std::optional<int> serve_as_reader(int argc, char** argv, std::span<const ReaderKind> kinds);
 
-/// Whether this program has called it.
+/// Whether this program has called serve_as_reader().
 bool serves_as_reader();
 
-/// A process that reads `path`. It never outlives this object, nor the thread that made it.
-/// Everything throws FileError: what the reader refuses; and how the process ended, if it crashed,
-/// needed too much memory or took too long.
+/// A process that reads `path`. It never outlives this object, nor the thread that made it. All
+/// members throw FileError if the reader refuses the file, or if its process crashed, needed too
+/// much memory or took too long.
 class ReaderProcess {
   public:
-    /// Waits until the file has been read. `program`: what is started; empty: this program.
+    /// Starts the process and waits until the file has been read. `program`: the program to start;
+    /// empty: this one.
     ReaderProcess(std::string_view kind, const std::filesystem::path& path,
                   const ReadLimits& limits, std::string_view settings = {},
                   const std::filesystem::path& program = {});
 
-    // What the other side wrote, in the same order. Sizes come before contents and are counted
-    // before anything is allocated: all that is kept of it is no more than ReadLimits::memory.
+    // The values that the other side wrote, in the same order. Sizes come before contents and are
+    // counted before anything is allocated, so all values together take no more than
+    // ReadLimits::memory.
 
     template <class T>
     T value() {
@@ -106,7 +109,7 @@ class ReaderProcess {
         receive(std::as_writable_bytes(std::span{values}));
         return values;
     }
-    /// Elements of no fixed size, each as `read()` returns it.
+    /// A list of elements without a fixed size. `read()` returns each of them.
     template <class Read>
     auto list(Read read) {
         std::vector<decltype(read())> list;
@@ -116,7 +119,7 @@ class ReaderProcess {
     }
     std::string text();
 
-    /// Says that what came makes no sense.
+    /// Throws FileError because the values make no sense.
     [[noreturn]] void refuse() const;
 
     int id() const { return worker_.id(); }
@@ -134,9 +137,9 @@ class ReaderProcess {
     std::filesystem::path path_;
     ReadLimits limits_;
     Patience patience_{std::chrono::nanoseconds{0}};
-    std::uint64_t kept_ = 0;        ///< bytes, of what was received
-    std::vector<std::byte> buffer_; ///< what has come of the next values
-    std::size_t taken_ = 0;         ///< of the buffer
+    std::uint64_t kept_ = 0;        ///< bytes of the values received so far
+    std::vector<std::byte> buffer_; ///< bytes that have come of the next values
+    std::size_t taken_ = 0;         ///< bytes taken from the buffer
     WorkerProcess worker_;
 };
 

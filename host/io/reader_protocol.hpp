@@ -9,21 +9,23 @@ namespace lineatlas::reader {
 
 // The protocol between the two ends of a ReaderProcess.
 
-/// The first argument of a process that reads: then the kind, the path, the bytes of memory it may
-/// take, the process that started it, and settings for the kind.
+/// The first argument of a process that reads. Next come the kind, the path, the bytes of memory
+/// that it may take, the process that started it, and settings for the kind.
 inline constexpr std::string_view argument = "--read-one-file";
 inline constexpr int argument_count = 7;
 
-/// Where the process finds its socket.
+/// The descriptor of the process's socket.
 inline constexpr int socket = STDIN_FILENO;
 
-/// Comes first. Then: what was read; a message, its size before it; nothing.
+/// Comes first. `read` is followed by the result, `refused` by a message with its size before it,
+/// `no_memory` by nothing.
 enum class Answer : std::uint8_t { read = 1, refused, no_memory };
 
 /// Bytes of the longest message that says why a file is refused.
 inline constexpr std::uint64_t longest_refusal = std::uint64_t{64} << 10U;
 
-/// Sanitizers reserve terabytes, so memory cannot be limited, and report on stderr.
+/// Whether this is a build with sanitizers. They reserve terabytes, so memory cannot be limited,
+/// and they report on stderr.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool sanitized = true;
 #elif defined(__has_feature)

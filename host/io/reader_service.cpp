@@ -1,4 +1,4 @@
-// The process that reads: the other end of ReaderProcess.
+// The process that reads, at the other end of ReaderProcess.
 #include <algorithm>
 #include <charconv>
 #include <csignal>
@@ -38,14 +38,15 @@ void limit(__rlimit_resource resource, rlim_t most) {
     ::setrlimit(resource, &limits);
 }
 
-/// Not address space: the libraries for pictures take half a gigabyte of it, unused.
+/// Limits data, not address space: the libraries for pictures take half a gigabyte of address space
+/// and do not use it.
 void limit_memory(std::uint64_t bytes) {
     if (!reader::sanitized) limit(RLIMIT_DATA, bytes);
 }
 
-/// What is freed is kept for what comes next, and taken in large pieces: the process lives for one
-/// file, and Open CASCADE gives back and takes again the same megabytes for every face. All three
-/// are needed: one that is set ends what the allocator would learn of the others.
+/// Makes the allocator keep freed memory and take memory in large pieces. The process lives for one
+/// file, and Open CASCADE frees and allocates the same megabytes for every face. All three settings
+/// are needed: setting one of them stops the allocator from adapting the others.
 void keep_memory() {
     constexpr int piece = 8 << 20, largest_kept = 32 << 20;
     ::mallopt(M_TOP_PAD, piece);
@@ -53,19 +54,19 @@ void keep_memory() {
     ::mallopt(M_MMAP_THRESHOLD, largest_kept);
 }
 
-/// False if the parent has ended already.
+/// Makes this process end with its parent. Returns false if the parent has ended already.
 bool end_with_parent(std::uint64_t parent) {
     return ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 &&
            static_cast<std::uint64_t>(::getppid()) == parent;
 }
 
-/// Called by `new` when there is no memory, before a parser could make something else of it.
+/// `new` calls this if there is no memory, before a parser could catch the exception.
 void say_no_memory() {
     ReaderOutput{reader::socket}.value(reader::Answer::no_memory);
     ::_exit(exit_failed);
 }
 
-/// Answers by itself if the reader throws.
+/// Reads the file and answers. If the reader throws, the answer is its message.
 void read_file(const ReaderKind& kind, const std::filesystem::path& path,
                std::string_view settings) {
     ReaderOutput output{reader::socket};
@@ -88,7 +89,7 @@ void read_file(const ReaderKind& kind, const std::filesystem::path& path,
 } // namespace
 
 void ReaderOutput::bytes(std::span<const std::byte> bytes) const {
-    if (!send_all(socket_, bytes)) ::_exit(exit_failed); // nobody is there to hear why
+    if (!send_all(socket_, bytes)) ::_exit(exit_failed); // nobody is there to be told why
 }
 
 bool serves_as_reader() {
@@ -106,7 +107,7 @@ std::optional<int> serve_as_reader(int argc, char** argv, std::span<const Reader
     limit_memory(number_of(argv[4]));
     std::set_new_handler(say_no_memory);
     read_file(*kind, argv[3], argv[6]);
-    ::_exit(0); // giving the memory back takes time, and is done anyway
+    ::_exit(0); // freeing all memory takes time, and the kernel does it anyway
 }
 
 } // namespace lineatlas

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double rounding = 1 + 1e-6; ///< of floats
 
-/// From 0 to the largest number that a file may have; false for NaN.
+/// Whether a number is from 0 to the largest that a file may have; false for NaN.
 bool is_length(double value) {
     return value >= 0 && value <= largest_drawable * rounding;
 }
 
-/// A position of a file, less an origin.
+/// Whether a point may be a position of a file, less an origin.
 bool is_position(glm::vec3 v) {
     return is_drawable(glm::dvec3{v} / (2 * rounding));
 }
@@ -27,7 +27,7 @@ bool is_color(glm::vec3 v) {
     return is_share(v.x) && is_share(v.y) && is_share(v.z);
 }
 
-/// A unit vector; false for NaN.
+/// Whether a vector is a unit vector; false for NaN.
 bool is_direction(glm::vec3 v) {
     constexpr float most_off = 1e-3F;
     return std::abs(glm::dot(v, v) - 1) <= most_off;
@@ -37,7 +37,7 @@ bool is_normal(glm::vec3 v) {
     return v == glm::vec3{0} || is_direction(v);
 }
 
-/// Numbers below `count`, one for each of `elements`; or none where none are wanted.
+/// Whether there is one number below `count` for each of `elements`, or none at all.
 bool are_numbers(const std::vector<std::uint32_t>& numbers, std::size_t elements,
                  std::size_t count) {
     const bool wanted = count > 0;
@@ -54,7 +54,7 @@ bool is_tree(const std::vector<ModelPart>& parts) {
     return true;
 }
 
-/// Large enough for floats to hold the squares of its lengths.
+/// Whether a mesh is large enough for floats to hold the squares of its lengths.
 bool has_extent(const Mesh& mesh) {
     ExactBounds bounds;
     for (const glm::vec3& position : mesh.positions) bounds.add(glm::dvec3{position});

@@ -7,11 +7,11 @@ namespace lineatlas {
 // Checks of everything that the reading process sends, before any other code uses it: that process
 // may have been taken over by its file.
 
-/// Whether the model is one that load_mesh() could have made of some file: all that its header
-/// promises, and no number that only a file's own reader would have kept within its range.
+/// Whether load_mesh() could have made the model of some file: it keeps all promises of the header
+/// of load_mesh(), and all numbers are within the ranges that readers check.
 bool is_sound(const LoadedMesh& loaded);
 
-/// The same of read_image().
+/// Whether read_image() could have made the image of some file.
 bool is_sound(const Image& image);
 
 } // namespace lineatlas

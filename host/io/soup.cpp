@@ -11,7 +11,7 @@ namespace lineatlas {
 
 namespace {
 
-// In place of the index of a position that can't be drawn.
+// These stand in place of the index of a position that cannot be drawn.
 constexpr std::uint32_t not_finite = 0xFFFFFFFFU;
 constexpr std::uint32_t too_large = 0xFFFFFFFEU;
 
@@ -42,7 +42,7 @@ void check_indices(const Soup& soup, const std::filesystem::path& path) {
                                counted(vertices, "vertex", "vertices") + " from 0");
 }
 
-/// The box of all positions that something uses and that can be drawn.
+/// The box of all positions that are used and can be drawn.
 ExactBounds bounds_of(const Soup& soup) {
     ExactBounds bounds;
     bounds.add_drawable(soup.positions, soup.corners);
@@ -50,7 +50,7 @@ ExactBounds bounds_of(const Soup& soup) {
     return bounds;
 }
 
-/// Moves the positions that can be drawn together, about `origin`. Returns where each one went.
+/// Keeps the positions that can be drawn, relative to `origin`. Returns the new index of each.
 std::vector<std::uint32_t> keep_drawable(const Soup& soup, glm::dvec3 origin,
                                          std::vector<glm::vec3>& positions) {
     std::vector<std::uint32_t> moved;
@@ -67,8 +67,8 @@ std::vector<std::uint32_t> keep_drawable(const Soup& soup, glm::dvec3 origin,
     return moved;
 }
 
-/// A quad exported with one corner twice is a triangle; repeats that are no neighbours stay, since
-/// a hole joined to its outline by a bridge has them.
+/// Merges equal neighbours: a quad exported with one corner twice is a triangle. Repeats that are
+/// not neighbours stay, because a hole that is joined to its outline by a bridge has them.
 void merge_repeats(std::vector<std::uint32_t>& face) {
     face.erase(std::unique(face.begin(), face.end()), face.end());
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();
@@ -144,8 +144,8 @@ void keep_known_edges(const Soup& soup, const std::vector<std::uint32_t>& moved,
     }
 }
 
-/// Groups that no triangle is in are left out, so that a file with one `o` and no `usemtl` before
-/// its first face does not get a nameless group beside the real one.
+/// Leaves out groups without triangles, so that a file with one `o` and no `usemtl` before its
+/// first face gets no nameless group beside the real one.
 void keep_used_groups(const std::vector<MeshGroup>& groups, Mesh& mesh) {
     constexpr std::uint32_t unknown = 0xFFFFFFFFU;
     std::vector<std::uint32_t> moved(groups.size(), unknown);

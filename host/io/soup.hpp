@@ -16,7 +16,7 @@ namespace lineatlas {
 /// Polygons as a reader finds them, before any of them is judged.
 struct Soup {
     std::vector<glm::dvec3> positions;     ///< may hold NaN and infinity
-    glm::dvec3 origin{0};                  ///< taken off them by the reader already
+    glm::dvec3 origin{0};                  ///< the reader has already subtracted it from them
     std::vector<std::uint32_t> corners;    ///< of all faces, one after another
     std::vector<std::size_t> face_ends;    ///< per face, one past its last corner in `corners`
     std::vector<std::uint32_t> face_group; ///< per face, or empty
@@ -25,19 +25,19 @@ struct Soup {
     std::vector<std::uint32_t> face_object{};     ///< per face, or empty
     std::vector<std::uint32_t> polyline_object{}; ///< per polyline, or empty
     std::vector<KnownEdge> known_edges{};
-    std::vector<std::optional<EdgeCurve>> edge_curves{}; ///< as Mesh::edge_curves
-    std::vector<std::uint32_t> edge_entities{};          ///< as Mesh::edge_entities
+    std::vector<std::optional<EdgeCurve>> edge_curves{}; ///< as in Mesh::edge_curves
+    std::vector<std::uint32_t> edge_entities{};          ///< as in Mesh::edge_entities
     std::vector<glm::vec3>
-        corner_normals{};     ///< three per face, all of which are triangles; or empty
-    KnownSurfaces surfaces{}; ///< per face, all of which are triangles; or empty
+        corner_normals{};     ///< three per face if all faces are triangles, or empty
+    KnownSurfaces surfaces{}; ///< one per face if all faces are triangles, or empty
     std::vector<ModelPart> parts{};
     std::string format{};
     std::optional<glm::vec3> up{};
     std::optional<double> unit{}; ///< millimetres
-    double deflection = 0;        ///< as LoadedMesh::deflection
-    double precision = 0;         ///< as Mesh::precision
+    double deflection = 0;        ///< as in LoadedMesh::deflection
+    double precision = 0;         ///< as in Mesh::precision
     std::vector<std::string> notes;
-    std::size_t not_finite_faces = 0; ///< left out by the reader already
+    std::size_t not_finite_faces = 0; ///< faces that the reader has already left out
 
     void add_face(std::span<const std::uint32_t> face) {
         corners.insert(corners.end(), face.begin(), face.end());
@@ -47,9 +47,9 @@ struct Soup {
     void end_face() { face_ends.push_back(corners.size()); }
 };
 
-/// Judges and triangulates. Drops what cannot be drawn with a note each; throws FileError for
-/// indices out of range, for a file most of whose faces are not finite, and for one that holds
-/// nothing to draw.
+/// Checks and triangulates a soup. Drops faces and positions that cannot be drawn, with a note for
+/// each reason. Throws FileError for indices out of range, for a file with mostly faces that are
+/// not finite, and for a file that holds nothing to draw.
 LoadedMesh finish(Soup&& soup, const std::filesystem::path& path);
 
 } // namespace lineatlas

@@ -11,8 +11,8 @@
 namespace lineatlas {
 
 /// Takes the contents of a file from OpenMesh's reader as a soup. A halfedge mesh would drop or
-/// split faces at non-manifold edges. Attributes other than positions are ignored, faces are
-/// taken as they are. OM files describe halfedges; their faces are walked once all of them are
+/// split faces at non-manifold edges. Attributes other than positions are ignored, faces are taken
+/// as they are. OM files describe halfedges. Faces are found by walking them once all halfedges are
 /// there.
 class SoupImporter final : public OpenMesh::IO::BaseImporter {
     using VertexHandle = OpenMesh::VertexHandle;
@@ -24,7 +24,7 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
   public:
     using BaseImporter::add_vertex;
 
-    /// False when halfedges do not close to faces.
+    /// Adds the faces of an OM file. Returns false if halfedges do not close to faces.
     bool add_halfedge_faces();
 
     Soup take() { return std::move(soup_); }
@@ -41,7 +41,8 @@ class SoupImporter final : public OpenMesh::IO::BaseImporter {
     std::size_t n_faces() const override { return soup_.face_ends.size() + face_halfedge_.size(); }
     std::size_t n_edges() const override { return target_.size() / 2; }
 
-    // The OM reader refuses importers without a kernel, which it needs for custom properties only.
+    // The OM reader refuses importers without a kernel, although it needs the kernel only for
+    // custom properties.
     OpenMesh::BaseKernel* kernel() override { return &kernel_; }
 
     void set_face(HalfedgeHandle, FaceHandle) override {}

@@ -16,7 +16,7 @@ namespace {
 struct Signature {
     std::string_view magic;
     std::string_view what;
-    std::string_view extension{}; ///< of files that are it on purpose
+    std::string_view extension{}; ///< extension of files that have this type on purpose
 };
 
 constexpr std::array signatures{
@@ -62,7 +62,7 @@ constexpr std::array mesh_signatures{
 
 std::string quoted(const std::filesystem::path& path) {
     constexpr std::size_t longest = 400;
-    // Of a long one the end tells more: there is the file's name.
+    // The end of a long path tells more, because it has the file's name.
     const std::string whole = path.string();
     const std::string text =
         whole.size() <= longest ? whole : "..." + whole.substr(whole.size() - longest);
@@ -97,7 +97,7 @@ std::uintmax_t check_source(const std::filesystem::path& path) {
         throw read_error(path, missing ? "no such file" : error.message());
     }
     if (std::filesystem::is_directory(status)) throw read_error(path, "it is a folder");
-    // A pipe or a device has no end that could be known beforehand.
+    // The size of a pipe or a device is not known beforehand.
     if (!std::filesystem::is_regular_file(status)) throw read_error(path, "it is no regular file");
 
     const std::ifstream stream(path, std::ios::binary);

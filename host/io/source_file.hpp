@@ -11,27 +11,27 @@
 
 namespace lineatlas {
 
-/// One whole file in memory. Every mesh format is checked in it before a library parses it.
+/// One whole file in memory. Every mesh format is checked here before a library parses it.
 struct SourceFile {
     std::filesystem::path path;
     std::string bytes;
 };
 
-/// The size of a file that must exist, be a regular one, be readable and not be empty. Throws
-/// FileError.
+/// The size of a file. Throws FileError unless the file exists, is regular, can be read and is not
+/// empty.
 std::uintmax_t check_source(const std::filesystem::path& path);
 
-/// Reads what check_source() accepts. Throws FileError.
+/// Reads a file that check_source() accepts. Throws FileError.
 SourceFile read_source(const std::filesystem::path& path);
 
-/// Without the three bytes that some programs put before text in UTF-8.
+/// The text without the three bytes that some programs put before UTF-8.
 std::string_view without_utf8_mark(std::string_view text);
 
-/// Throws FileError when the first bytes belong to something that is no mesh, or to a mesh of
-/// another type than `extension` (lower case, with its dot).
+/// Throws FileError if the first bytes are those of a file that is no mesh, or of a mesh of another
+/// type than `extension` (lower case, with its dot).
 void refuse_other_types(const SourceFile& source, std::string_view extension);
 
-/// `path` in double quotes, fit for a one-line message; of a long one the end.
+/// `path` in double quotes, fit for a one-line message. Only the end of a long path is shown.
 std::string quoted(const std::filesystem::path& path);
 
 /// `cannot read "path": cause`
@@ -39,7 +39,8 @@ FileError read_error(const std::filesystem::path& path, std::string_view cause);
 
 /// `cannot write "path": cause`
 FileError write_error(const std::filesystem::path& path, std::string_view cause);
-/// What a failed write() says; of a limit of files' sizes that limit and the way out.
+/// The cause of a failed write(). If a limit of file sizes is the cause, also that limit and the
+/// way out.
 std::string write_cause(int error);
 
 /// "1 face", "12 faces"

@@ -17,7 +17,7 @@ namespace lineatlas {
 
 namespace {
 
-bool pipes_end_the_program = false; ///< as they did before open_standard_streams()
+bool pipes_end_the_program = false; ///< whether pipes ended it before open_standard_streams()
 
 [[noreturn]] void fail_output(int error) {
     if (error == EPIPE && pipes_end_the_program) {
@@ -33,15 +33,16 @@ bool pipes_end_the_program = false; ///< as they did before open_standard_stream
 void open_standard_streams() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The wrong way round: who reads or writes it is told. The lowest free number is this one.
+        // Opened the wrong way round, so that reading or writing fails. The lowest free number is
+        // this one.
         (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
     // Not SIG_IGN, which programs that this one starts would inherit.
     const auto before = std::signal(SIGPIPE, [](int) {});
     pipes_end_the_program = before == SIG_DFL;
     if (before == SIG_IGN) std::signal(SIGPIPE, SIG_IGN);
-    // A limit of files' sizes (ulimit -f) is an error of write() then, which says what was written.
-    // Handlers, unlike SIG_IGN, are not inherited by other programs either.
+    // With a handler, a limit of file sizes (ulimit -f) becomes an error of write(). Other programs
+    // do not inherit handlers, unlike SIG_IGN.
     if (std::signal(SIGXFSZ, [](int) {}) == SIG_IGN) std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -68,7 +69,7 @@ int run_with_output(const std::function<int()>& run) {
         errno = 0;
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail_output(errno);
         return code;
-    } catch (const std::system_error& error) { // of a print that went no further
+    } catch (const std::system_error& error) { // thrown by a print that failed
         if (std::ferror(stdout) != 0) fail_output(error.code().value());
         throw;
     }

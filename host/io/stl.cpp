@@ -20,8 +20,8 @@ constexpr std::size_t facet_size = 50;
 
 using Corners = std::array<glm::vec3, 3>;
 
-/// What is less than any normal float counts as zero, as -0 does: the rest of a sum that was meant
-/// to be nothing.
+/// A coordinate; 0 in place of -0 and of subnormal numbers, which are rests of sums that were meant
+/// to be zero.
 float without_rest(float value) {
     return std::abs(value) < std::numeric_limits<float>::min() ? 0.0F : value;
 }
@@ -30,7 +30,7 @@ glm::vec3 place_of(glm::vec3 corner) {
     return {without_rest(corner.x), without_rest(corner.y), without_rest(corner.z)};
 }
 
-/// Facets as faces of a soup, in which equal corners are one.
+/// Makes faces of a soup from facets. Equal corners become one.
 class FacetWelder {
   public:
     explicit FacetWelder(std::size_t facets) : seen_(vertices_of_closed(facets)) {
@@ -76,7 +76,8 @@ class FacetWelder {
     FirstSeen seen_;
 };
 
-/// Where nothing but whole facets follows those that the header promises, its count is wrong.
+/// The number of facets to read. If only whole facets follow those that the header promises, the
+/// header's count is wrong.
 std::size_t facets_to_read(std::size_t bytes, std::size_t promised,
                            std::vector<std::string>& notes) {
     const std::size_t more = bytes - header_size - promised * facet_size;
@@ -164,7 +165,8 @@ class AsciiStl {
     }
 
   private:
-    /// Floats are welded, which must be able to tell the corners apart.
+    /// The soup, relative to an origin. Corners are welded as floats, which must be able to tell
+    /// them apart.
     Soup about_origin() const {
         ExactBounds bounds;
         for (const Facet& facet : facets_)
@@ -247,7 +249,8 @@ bool starts_with_solid(std::string_view bytes) {
 Soup read_stl(const SourceFile& source) {
     const std::string_view bytes = source.bytes;
     const bool has_header = bytes.size() >= header_size;
-    // "solid" proves nothing: many exporters put it into the free text of a binary header.
+    // The word "solid" proves nothing, because many exporters put it into the free text of a binary
+    // header.
     const bool exact = has_header && bytes.size() == header_size + facet_size * read_u32(bytes, 80);
     const bool has_zero_byte = bytes.substr(0, 1024).find('\0') != bytes.npos;
     if (!exact && starts_with_solid(bytes) && !has_zero_byte) return AsciiStl(source).read();

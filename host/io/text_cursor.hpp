@@ -29,7 +29,7 @@ inline std::optional<long long> parse_integer(std::string_view token) {
     return number_from<long long>(token);
 }
 
-/// Walks the tokens of a text that may have LF, CRLF or CR line ends, and knows its line.
+/// Walks the tokens of a text with LF, CRLF or CR line ends, and knows the current line.
 class TextCursor {
   public:
     /// `comment` starts a comment that reaches to the end of its line; 0 for none.
@@ -65,7 +65,7 @@ class TextCursor {
     std::size_t bytes_left() const { return text_.size() - at_; }
 
   private:
-    // A NUL is never the comment sign, although "no comment sign" is written as one.
+    // A NUL never starts a comment, although `comment` is 0 if there is no comment sign.
     static bool is_blank(char c) {
         return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
     }

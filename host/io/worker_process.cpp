@@ -13,7 +13,7 @@
 namespace lineatlas {
 namespace {
 
-/// What waitpid() returns when it is not interrupted.
+/// waitpid(), repeated while it is interrupted.
 pid_t wait_for(pid_t process, int* status, int options) {
     pid_t result = 0;
     do {
@@ -37,10 +37,10 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
 
 WorkerProcess::Ending WorkerProcess::ending() {
     using namespace std::chrono_literals;
-    // A process that ends has closed its socket a little earlier, and longer ago if its memory has
-    // to be given back. One that closes it and goes on must not be waited for.
+    // A process closes its socket a little before it ends, and earlier if much memory must be
+    // freed. A process that closes the socket and goes on must not be waited for.
     constexpr std::chrono::milliseconds moment = 2s, step = 2ms;
-    ::shutdown(socket_, SHUT_RDWR); // one that waits to send is told
+    ::shutdown(socket_, SHUT_RDWR); // wakes a process that waits to send
     Ending ending;
     for (auto waited = 0ms; waited < moment; waited += step) {
         if (wait_for(process_, &ending.status, WNOHANG) != 0) {

@@ -7,7 +7,7 @@ namespace lineatlas {
 class WorkerProcess {
   public:
     WorkerProcess() = default; ///< none
-    /// A child process, and this side's socket; both are owned from here on.
+    /// Takes over a child process and this side's socket.
     WorkerProcess(int process, int socket) : process_(process), socket_(socket) {}
     ~WorkerProcess() { end(); }
     WorkerProcess(const WorkerProcess&) = delete;
@@ -20,13 +20,14 @@ class WorkerProcess {
     int socket() const { return socket_; }
 
     struct Ending {
-        int status = 0;            ///< as waitpid() gives it
-        bool went_on_mute = false; ///< it had nothing more to say and did not end: it was killed
+        int status = 0;            ///< as waitpid() returns it
+        bool went_on_mute = false; ///< it said no more but did not end, and was killed
     };
-    /// How the process has ended, once nothing more comes from it. It is given a moment to do so.
+    /// How the process has ended. Call when nothing more comes from it. Gives the process a moment
+    /// to end.
     Ending ending();
 
-    /// Kills the process; nothing that it could still do is wanted.
+    /// Kills the process.
     void end();
 
   private:

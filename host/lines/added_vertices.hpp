@@ -14,22 +14,23 @@ namespace lineatlas {
 /// Vertices where lines begin or end that run along no edge of the mesh.
 class AddedVertices {
   public:
-    /// The mesh must outlive it, and is changed by insert() alone.
+    /// The mesh must outlive this object. Only insert() changes it.
     explicit AddedVertices(WeldedMesh& mesh) : mesh_(mesh) {}
 
-    /// A number for the vertex at `share` of the way between two of the mesh, which are of one
-    /// object; the same for the same place.
+    /// A number for the vertex at `share` of the way between two vertices of the mesh, which are of
+    /// one object. The same place has the same number.
     std::uint32_t at(std::uint32_t from, std::uint32_t to, double share);
 
-    /// A number for a place that is on no edge, in the object of a vertex of the mesh: it comes
-    /// from where that does (LineSet::vertex_sources).
+    /// A number for a place that is on no edge. Its object and its source (LineSet::vertex_sources)
+    /// are those of `vertex`.
     std::uint32_t beside(std::uint32_t vertex, glm::vec3 position);
 
-    /// Puts them into the mesh, each behind the vertices of its object; one that lies where the
-    /// mesh has a vertex becomes that. Returns the new number of every vertex, those added last.
+    /// Puts the vertices into the mesh, each behind the vertices of its object. A vertex at the
+    /// place of one of the mesh becomes that one. Returns the new number of every vertex; added
+    /// vertices come last.
     std::vector<std::uint32_t> insert();
 
-    /// What was inserted, by its new numbers.
+    /// The inserted vertices, by their new numbers.
     const std::vector<CutVertex>& cuts() const { return cuts_; }
 
   private:
@@ -47,7 +48,7 @@ class AddedVertices {
 
     WeldedMesh& mesh_;
     std::vector<Place> places_;
-    std::vector<CutVertex> cuts_; ///< of a place on no edge both ends are one
+    std::vector<CutVertex> cuts_; ///< both ends are one vertex for a place on no edge
     std::unordered_map<Place, std::uint32_t, PlaceHash> known_; ///< into places_
 };
 

@@ -18,7 +18,8 @@
 namespace lineatlas {
 namespace {
 
-/// Parts around a triangle: who stands within one of them, as in a room, still does not see it.
+/// The number of parts that must surround a triangle. An eye that stands within one of them, as in
+/// a room, still does not see the triangle.
 constexpr int needed = 2;
 
 bool lies_within(const Bounds& inner, const Bounds& outer) {
@@ -79,7 +80,7 @@ class BuriedFaces {
         for (const MeshEdge& edge : edges) ++edge_count[parts_.of_vertex[edge.p]];
         for (std::uint32_t part = 0; part < parts_.count; ++part) {
             const std::span<const std::uint32_t> triangles = triangles_of(part);
-            // Faces that lie on each other count as one at an edge, but not of a ray's.
+            // Faces that lie on each other count as one at an edge, but not for a ray.
             const bool is_closed =
                 volume[part] != 0 && 3 * triangles.size() == 2 * edge_count[part];
             const bool was_turned =
@@ -117,7 +118,7 @@ class BuriedFaces {
         return BoxTree{boxes, {}, numbers};
     }
 
-    /// A box that stands out of another's is that of a part that does.
+    /// Whether a part reaches out of another one. It does if its box does.
     bool reaches_out(std::uint32_t part, std::uint32_t of) const {
         return part != of && !lies_within(boxes_[part], boxes_[of]);
     }
@@ -174,7 +175,8 @@ class BuriedFaces {
         return least > contact_ || most < -contact_;
     }
 
-    /// Not the middle: rays from there meet edges of regular meshes.
+    /// A point within a triangle. It is not the middle, because rays from there meet edges of
+    /// regular meshes.
     glm::dvec3 inner_point(std::uint32_t triangle) const {
         const glm::uvec3 t = mesh_.triangles[triangle];
         return 0.41 * at(t.x) + 0.33 * at(t.y) + 0.26 * at(t.z);
@@ -182,7 +184,7 @@ class BuriedFaces {
 
     enum class Hit { none, one, unsure };
 
-    /// False where the ray that decides meets an edge.
+    /// Whether a point is inside; false if the ray that decides meets an edge.
     bool is_inside(const BoxTree& tree, glm::dvec3 point) const {
         constexpr float infinite = std::numeric_limits<float>::infinity();
         const glm::vec3 rounded{point};
@@ -220,12 +222,12 @@ class BuriedFaces {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     const MeshParts& parts_;
-    double contact_;                               ///< what is no farther away touches
+    double contact_;                               ///< points no farther away than this touch
     std::vector<Bounds> boxes_;                    ///< of parts
     std::vector<std::uint32_t> first_, triangles_; ///< of parts: where theirs begin
     std::vector<bool> is_closed_, looks_inwards_;  ///< of parts; in the file
     std::unordered_map<std::uint32_t, BoxTree>
-        trees_; ///< of the triangles of parts, once asked for
+        trees_; ///< trees of the triangles of parts, made when they are asked for
     std::vector<bool> is_buried_;
 };
 

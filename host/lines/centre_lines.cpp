@@ -20,13 +20,13 @@
 namespace lineatlas {
 namespace {
 
-/// Axes are one where they are no farther apart than this share of the model's diagonal, and run
-/// alike to this sine.
+/// Axes are one axis if they are no farther apart than this share of the model's diagonal, and
+/// their directions differ by no more than this sine.
 constexpr double same_line = 1e-6, same_direction = 1e-6;
-/// What is round by less than this is a fillet or a bend, no hole and no shaft: half a turn, less
-/// what tessellation takes.
+/// A surface that covers less than this is a fillet or a bend, and no hole or shaft. It is half a
+/// turn, less the error of tessellation.
 constexpr double least_turn = 170; // degrees
-/// Surfaces of one axis that are farther apart than so many of their radii have an axis each.
+/// Surfaces of one axis that are farther apart than this many of their radii get an axis each.
 constexpr double longest_gap = 4;
 /// A face is square to an axis to this sine.
 constexpr double square = 1e-3;
@@ -42,8 +42,7 @@ struct Extent {
     }
 };
 
-/// Directions across an axis: of those that stand square to it the one that is nearest to a
-/// coordinate, and the other.
+/// Two directions square to an axis. The first is the nearest to an axis of coordinates.
 std::array<glm::dvec3, 2> across(glm::dvec3 axis) {
     int least = 0;
     for (int i = 1; i < 3; ++i)
@@ -54,14 +53,14 @@ std::array<glm::dvec3, 2> across(glm::dvec3 axis) {
     return {u, glm::cross(axis, u)};
 }
 
-/// A surface, as its triangles have it.
+/// A round surface, with its triangles.
 struct Round {
     AxisLine axis; ///< its point is the nearest to the origin
     std::uint32_t object = 0;
     std::vector<std::uint32_t> triangles{}; ///< of the welded mesh
 };
 
-/// One way along an axis for both.
+/// An axis with one of its two directions, the same for all equal axes.
 AxisLine in_order(const AxisLine& axis) {
     glm::dvec3 along = axis.direction;
     for (int i = 0; i < 3; ++i) {
@@ -83,7 +82,7 @@ struct Body {
     Extent along{};
     double radius = 0; ///< the largest
     Turn turn{};
-    std::uint32_t triangle = 0; ///< one of them, of the welded mesh
+    std::uint32_t triangle = 0; ///< one triangle of them, in the welded mesh
     std::vector<std::uint32_t> triangles{};
 };
 
@@ -233,7 +232,7 @@ class Centres {
         }
     }
 
-    /// Of a circle at an end of the body, or of all of it if it ends in a tip.
+    /// The radius of the circle at an end of the body, or of the whole body if it ends in a tip.
     double radius_at(const Body& body, double end) const {
         double radius = 0;
         const double near = tolerance_ + 1e-6 * (body.along.to - body.along.from);
@@ -258,7 +257,7 @@ class Centres {
         });
     }
 
-    /// The first of them that lies square to the axis.
+    /// The first triangle beside the body that lies square to the axis.
     std::optional<std::uint32_t> square_face(const Body& body) {
         if (!beside_) find_neighbours();
         std::optional<std::uint32_t> found;

@@ -17,14 +17,15 @@ struct CentreLine {
     glm::vec3 p, q;
     std::uint32_t vertex; ///< of its surface
     std::uint32_t source; ///< of its surface, index into Mesh::triangles
-    /// Of a mark a triangle that lies square to the axis; of an axis LA_NO_FACE.
+    /// For a mark a triangle that lies square to the axis; for an axis LA_NO_FACE.
     std::uint32_t face = LA_NO_FACE;
-    bool is_turned = false; ///< its front looks from the mark along the axis, not away from it
+    /// The front of that triangle looks from the mark towards the body, not away from it.
+    bool is_turned = false;
 };
 
-/// The axes of round surfaces and, at both of their ends, marks (docs/lines.md has the rules).
-/// Surfaces of different objects have axes of their own. `shapes`: those of the surfaces, plain
-/// (plain_shape()). `objects`: per triangle; empty: all are of one.
+/// Finds the axes of round surfaces, and marks at both ends of the axes (docs/lines.md has the
+/// rules). Surfaces of different objects have axes of their own. `shapes`: plain_shape() of each
+/// surface. `objects`: the object of each triangle; empty: all are of one.
 std::vector<CentreLine>
 find_centre_lines(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                   const std::vector<glm::dvec3>& normals, const KnownSurfaces& surfaces,

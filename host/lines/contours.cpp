@@ -19,9 +19,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::uint32_t least_faces = 64;
-constexpr std::uint32_t many_faces = 15'000; ///< so many of what nobody designed show its shape
-constexpr double most_flat = 0.3;            ///< of a patch's faces: more than half are not
-constexpr double least_altitude = 0.25;      ///< of the longest edge, in the middle of all faces
+/// So many triangles show the shape of an undesigned surface.
+constexpr std::uint32_t many_faces = 15'000;
+constexpr double most_flat = 0.3; ///< share of a patch's faces that may be flat
+/// Altitude as a share of a face's longest edge; half of all faces have more.
+constexpr double least_altitude = 0.25;
 constexpr double least_steadiness = 1.0 / 3;
 constexpr double sharp_bend = 15 * degree;
 constexpr double most_sharp = 0.1;      ///< of a patch's edges
@@ -62,7 +64,7 @@ class ContourFinder {
         return glm::dvec3{in_.mesh.vertices[vertex(corner)]};
     }
 
-    /// Edges within a patch: their two sides, and what that joins.
+    /// Finds the edges within patches with their two sides, and joins what lies beside them.
     void match_sides() {
         find_pairs();
         is_flat_.assign(faces_, false);
@@ -104,14 +106,14 @@ class ContourFinder {
         });
     }
 
-    /// Whether the surface goes on across it.
+    /// Whether the surface goes on across an edge.
     bool is_within(std::size_t edge) const {
         if (in_.bends[edge] > in_.most_bend) return false;
         const std::optional<LineKind>& kind = in_.kinds[edge];
         return kind ? *kind == LineKind::silhouette : in_.bends[edge] < flat_bend;
     }
 
-    /// Two sides of an edge, which run against each other.
+    /// Joins the triangles and corners at two sides of an edge, which run against each other.
     void join(std::uint32_t a, std::uint32_t b) {
         patches_.unite(a / 3, b / 3);
         corners_.unite(a, next_corner(b));
@@ -155,9 +157,9 @@ class ContourFinder {
         if (std::ranges::find(organic, true) != organic.end()) keep_steady(organic);
     }
 
-    /// Normals of corners: the surface's own where the file has them, else those of the triangles
-    /// about them, by the angles that they have there. A tip, about which the surface's own do not
-    /// agree, has none.
+    /// Finds normals of corners: those of the file if it has them, else means of the normals of the
+    /// triangles about the corner, weighted by their angles there. A tip, at which the file's
+    /// normals do not agree, has none.
     void add_normals() {
         normals_.assign(corners_size(), glm::dvec3{0});
         std::vector<double> known_angles(corners_size(), 0);
@@ -180,9 +182,9 @@ class ContourFinder {
         }
     }
 
-    /// Of those patches only ones stay smooth that bend at a corner much as at the next: how they
-    /// do, as the mean sine by which edges fall away there, correlates with itself along edges.
-    /// Noise does not, and normals between corners say nothing of what lies there.
+    /// Keeps only patches smooth that bend at a corner much as at the next. The bend at a corner is
+    /// the mean sine by which edges fall away there, and it must correlate along edges. In noise it
+    /// does not, and there interpolated normals do not describe the surface.
     void keep_steady(const std::vector<bool>& patches) {
         struct Bend {
             double sum = 0;
@@ -234,7 +236,7 @@ class ContourFinder {
         return in_.solid[in_.parts.of_vertex[in_.mesh.triangles[face].x]];
     }
 
-    /// Whether the file says of a face where its surface looks, but for a tip.
+    /// Whether the file has normals at all corners of a face, except at a tip.
     bool knows_normals(std::uint32_t face) const {
         for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner)
             if (known_normal(corner) != glm::dvec3{0}) return true;
@@ -243,7 +245,7 @@ class ContourFinder {
 
     bool is_smooth(std::uint32_t face) { return smooth_[patches_.find(face)]; }
 
-    /// What the file says of the surface at a corner; zero where it says nothing.
+    /// The file's normal at a corner; zero if it has none.
     glm::dvec3 known_normal(std::uint32_t corner) const {
         if (in_.corner_normals.empty()) return glm::dvec3{0};
         return glm::dvec3{
@@ -301,9 +303,9 @@ class ContourFinder {
     std::vector<std::uint32_t> edge_of_side_;         ///< as in Contours::faces
 };
 
-/// Whether any patch may be smooth by Silhouettes::automatic: of few models that somebody designed
-/// as a mesh, and to find the patches takes more memory than all else. It asks for less than
-/// choose_patches() does, since edges have other faces in place of slivers.
+/// Whether any patch may be smooth by Silhouettes::automatic. Few models that were designed as
+/// meshes have such patches, and finding patches takes more memory than all other steps. The test
+/// is weaker than that of choose_patches(), because edges have other faces in place of slivers.
 bool may_be_organic(const ContourInput& in) {
     const std::vector<bool> is_flat = flat_faces(in.mesh.triangles.size(), in.edges, in.bends);
     std::vector<std::uint32_t> bent(in.parts.count, 0);

@@ -29,13 +29,13 @@ struct ContourInput {
 struct FoundContours {
     Contours contours;                ///< without `replaced`
     std::vector<std::uint32_t> faces; ///< triangle of each of its faces
-    /// Per edge: whether it is a candidate no more; empty if no silhouette is smooth.
+    /// Per edge whether it is no candidate any more; empty if no silhouette is smooth.
     std::vector<bool> replaces;
 };
 
-/// Finds the smooth patches of a mesh: triangles that hang together across edges which may be
-/// silhouettes and are nothing else. Of Silhouettes::smooth one is smooth if it bends at all. Of
-/// Silhouettes::automatic one is smooth
+/// Finds the smooth patches of a mesh. A patch has triangles that are connected across edges which
+/// may be silhouettes and are no other lines. With Silhouettes::smooth a patch is smooth if it
+/// bends at all. With Silhouettes::automatic a patch is smooth
 /// - where any normals of the surface are known, if it bends and all of its are;
 /// - else if nobody designed any of its triangles and it has at least 15,000 of them;
 /// - else if it is of a solid, has at least 64 triangles, less than 30 % of them flat (an edge

@@ -26,9 +26,9 @@ struct Boundary {
     auto place() const { return std::tie(object, cell_p, cell_q); }
 };
 
-/// Boundaries with both ends in the same cells are one edge, however many there are: only cells
-/// are compared with each other, and of two cells as many boundaries as it takes to find two that
-/// are one.
+/// Finds boundaries that are one edge. All boundaries with both ends in the same cells are one
+/// edge. Otherwise cells are compared with each other, and of two cells as many boundaries as it
+/// takes to find two that are one.
 class CrackCloser {
   public:
     CrackCloser(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges)
@@ -113,7 +113,7 @@ class CrackCloser {
             [&](std::uint32_t a, std::uint32_t b) { close(groups[a], groups[b]); });
     }
 
-    /// A sliver's own sides are no crack, unless another boundary runs there.
+    /// Adds groups. The sides of one sliver are no crack, unless another boundary runs there.
     void add_groups(std::uint32_t first, std::uint32_t end, std::vector<Group>& groups) {
         const bool of_one_face =
             std::all_of(boundaries_.begin() + first, boundaries_.begin() + end,
@@ -166,7 +166,7 @@ class CrackCloser {
     const WeldedMesh& mesh_;
     double widest_;
     std::vector<Boundary> boundaries_; ///< long enough ones, by place
-    VertexSets one_edge_{0};           ///< of them
+    VertexSets one_edge_{0};           ///< of boundaries
     VertexSets merged_;
     std::size_t closed_ = 0;
 };

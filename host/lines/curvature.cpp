@@ -10,10 +10,11 @@
 namespace lineatlas {
 namespace {
 
-/// What the means over the triangles about a vertex add: of normals, of how they turn, and of
-/// gradients.
-constexpr float variance_of_means = 0.7F;  ///< in squared edges
-constexpr float gradient_share = 1.0F / 3; ///< of the variance, that gradients are smoothed by
+/// Variance that means over the triangles about a vertex add: means of normals, of their
+/// derivatives, and of gradients.
+constexpr float variance_of_means = 0.7F; ///< in squared edges
+/// Share of the variance by which gradients are smoothed.
+constexpr float gradient_share = 1.0F / 3;
 
 /// A symmetric matrix.
 struct Tensor {
@@ -43,19 +44,20 @@ void add_scaled(Tensor& sum, const Tensor& one, float scale) {
     sum.yz += scale * one.yz;
 }
 
-/// Zero stays zero.
+/// The vector with length 1; zero stays zero.
 glm::vec3 unit(glm::vec3 v) {
     const float length = std::sqrt(glm::dot(v, v));
     return length > 0 ? v / length : glm::vec3{0};
 }
 
-/// At a right angle to a unit vector.
+/// Some vector at a right angle to a unit vector.
 glm::vec3 any_across(glm::vec3 n) {
     const bool along_x = std::abs(n.x) > 0.8F;
     return unit(glm::cross(n, along_x ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0}));
 }
 
-/// The greater eigenvector of a symmetric 2 x 2 matrix; of a multiple of 1 any.
+/// The eigenvector of the greater eigenvalue of a symmetric 2 x 2 matrix; any vector for a multiple
+/// of the identity.
 glm::vec2 greater_eigenvector(float a, float b, float c, float greater) {
     const glm::vec2 one{b, greater - a}, other{greater - c, b};
     const glm::vec2 longer = glm::dot(one, one) > glm::dot(other, other) ? one : other;
@@ -82,7 +84,7 @@ void SmoothedSurface::find_normals() {
     for (glm::vec4& normal : normals_) normal = glm::vec4{unit(glm::vec3{normal}), 0};
 }
 
-/// In two steps: the kernel of one has a peak.
+/// Smoothing takes two steps, because the kernel of one step has a peak.
 void SmoothedSurface::smooth_to(float edges) {
     const float deviation = edges * diffusion_.mean_edge();
     const float half = 0.5F * (deviation * deviation - variance_);
@@ -107,8 +109,8 @@ glm::vec3 SmoothedSurface::gradient(std::uint32_t face, glm::vec3 values) const 
 
 void SmoothedSurface::find_directions(Curvatures& found) const {
     const std::size_t count = mesh_.vertices.size();
-    // Means of unit normals, not made units again: where they point all ways, as in a thin limb,
-    // they turn fast and mean little.
+    // Means of unit normals are not made unit vectors again. Where normals point all ways, as in a
+    // thin limb, their means turn fast and say little.
     std::vector<Tensor> tensors(count);
     for (const std::uint32_t face : faces_) {
         const glm::uvec3 t = mesh_.triangles[face];
@@ -116,7 +118,8 @@ void SmoothedSurface::find_directions(Curvatures& found) const {
         const glm::vec3 normal = glm::cross(b - a, c - a);
         const float squared = glm::dot(normal, normal);
         if (!(squared > 0)) continue;
-        // The gradient of what is 1 at one corner, times the area that the triangle has there.
+        // The gradient of a function that is 1 at one corner, times the share of the triangle's
+        // area there.
         const float share = 1 / (6 * std::sqrt(squared));
         Tensor tensor;
         tensor.add(glm::vec3{normals_[t.x]}, share * glm::cross(normal, c - b));
@@ -147,8 +150,8 @@ void SmoothedSurface::find_directions(Curvatures& found) const {
     });
 }
 
-/// The derivative of a principal curvature along its own direction is that of the field of such
-/// curvatures: where the direction turns, it turns at a right angle to what the surface does.
+/// The derivative of a principal curvature along its own direction is the derivative of the field
+/// of these curvatures, because the direction itself turns at a right angle to it.
 void SmoothedSurface::find_gradients(PrincipalCurvature& found) const {
     std::vector<glm::vec4> gradients(mesh_.vertices.size(), glm::vec4{0});
     for (const std::uint32_t face : faces_) {

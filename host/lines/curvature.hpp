@@ -13,8 +13,8 @@
 
 namespace lineatlas {
 
-/// One of the two principal curvatures of a surface, per vertex: above 0 where it bends away from
-/// its normal, as a ball does.
+/// One of the two principal curvatures of a surface, per vertex: above 0 where the surface bends
+/// away from its normal, as a ball does.
 struct PrincipalCurvature {
     std::vector<float> k;            ///< 1 / radius
     std::vector<glm::vec3> way;      ///< unit direction in which it bends so, of either sign
@@ -27,26 +27,27 @@ struct Curvatures {
     PrincipalCurvature most, least; ///< the greater and the lesser of the two
 };
 
-/// A mesh as the surface that its vertices were taken of: its normals are smoothed step by step,
-/// and it bends as they turn (Rusinkiewicz, "Estimating Curvatures and Their Derivatives on
-/// Triangle Meshes", 2004).
+/// A mesh as the surface that its vertices were taken from. Its normals are smoothed step by step,
+/// and its curvature follows from how they turn (Rusinkiewicz, "Estimating Curvatures and Their
+/// Derivatives on Triangle Meshes", 2004).
 class SmoothedSurface {
   public:
     /// The mesh must outlive it. `faces`: those of the surface.
     SmoothedSurface(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                     std::span<const std::uint32_t> faces);
 
-    /// Smooths normals on, to a standard deviation of so many mean edges; not less than before.
+    /// Smooths normals further, to a standard deviation of so many mean edges. It must not be less
+    /// than before.
     void smooth_to(float edges);
 
-    /// Gradients are smoothed once more, by a third of the variance.
+    /// The curvatures. Their gradients are smoothed once more, by a third of the variance.
     Curvatures curvatures() const;
 
-    /// The standard deviation of all that gradients of curvatures() are smoothed by, in the mesh's
+    /// The standard deviation of all smoothing of the gradients in curvatures(), in the mesh's
     /// units.
     float deviation() const;
 
-    /// The gradient over a triangle of what has these values at its corners.
+    /// The gradient over a triangle of a function with these values at its corners.
     glm::vec3 gradient(std::uint32_t face, glm::vec3 values) const;
 
   private:

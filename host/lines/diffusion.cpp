@@ -14,16 +14,16 @@ namespace {
 using Values = std::vector<glm::vec4>;
 
 constexpr float most_cotangent =
-    10; ///< of a triangle's angles: slivers would let nothing else flow
+    10; ///< limit for a triangle's angles, because slivers would dominate the flow
 constexpr int most_iterations = 200;
-constexpr double precision = 0.05; ///< of a step, of what it changes
+constexpr double precision = 0.05; ///< of a step, as a share of what it changes
 
 float cotangent(glm::vec3 u, glm::vec3 v) {
     const glm::vec3 across = glm::cross(u, v);
     return glm::dot(u, v) / std::sqrt(glm::dot(across, across));
 }
 
-/// The same on any number of threads.
+/// A sum that is the same on any number of threads.
 template <class Each>
 double sum_over(std::size_t count, const Each& each) {
     double sum = 0;
@@ -53,7 +53,7 @@ Diffusion::Diffusion(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
     mean_edge_ = static_cast<float>(length / (3.0 * static_cast<double>(faces.size())));
 }
 
-/// In ascending order, as edges are.
+/// Lists neighbours in ascending order, as edges are.
 void Diffusion::find_neighbours(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
     offsets_.assign(mesh.vertices.size() + 1, 0);
     for (const MeshEdge& edge : edges) {
@@ -95,7 +95,8 @@ void Diffusion::add_flow(std::uint32_t a, std::uint32_t b, float flow) {
     }
 }
 
-/// By conjugate gradients, preconditioned by the diagonal, from the values as they are.
+/// Solves by conjugate gradients, preconditioned by the diagonal, starting from the values
+/// themselves.
 void Diffusion::smooth(Values& values, float variance) const {
     const float half = 0.5F * variance;
     const std::size_t count = values.size();
@@ -129,7 +130,7 @@ void Diffusion::smooth(Values& values, float variance) const {
     }
 }
 
-/// What flows to a vertex.
+/// The flow to a vertex.
 glm::vec4 Diffusion::gain(const Values& values, std::size_t v) const {
     glm::vec4 sum{0};
     for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i)

@@ -20,13 +20,13 @@ class Diffusion {
     Diffusion(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
               std::span<const std::uint32_t> faces);
 
-    /// A step: the variance of the kernel along each axis of the surface, which has thicker tails
-    /// than a Gaussian.
+    /// Takes a step. `variance`: that of the kernel along each axis of the surface. The kernel has
+    /// thicker tails than a Gaussian.
     void smooth(std::vector<glm::vec4>& values, float variance) const;
 
     /// A third of the area of the triangles about each vertex; 0 where the surface has none.
     const std::vector<float>& areas() const { return areas_; }
-    /// Of edges of the surface.
+    /// The mean length of the surface's edges.
     float mean_edge() const { return mean_edge_; }
 
   private:

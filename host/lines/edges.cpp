@@ -14,8 +14,8 @@
 namespace lineatlas {
 namespace {
 
-/// Faces that meet at a smaller angle are one plane to the precision of their coordinates; such an
-/// edge (a diagonal of a quad) can't be a silhouette. Radians.
+/// Radians. Faces that meet at a smaller angle are one plane to the precision of their coordinates.
+/// Such an edge (a diagonal of a quad) cannot be a silhouette.
 constexpr double coplanar_angle = 1e-4;
 
 /// A triangle is a sliver if its height is below this share of its longest edge, or below this
@@ -42,7 +42,7 @@ class EdgeUse {
     std::uint64_t bits_ = 0; ///< a triangle's number is below 2^31, see LA_FACE_INDEX
 };
 
-/// By the smaller vertex of their edge, each sorted.
+/// The uses of edges by the edge's smaller vertex, each list sorted.
 Groups<EdgeUse> edge_uses(const WeldedMesh& mesh) {
     Groups<EdgeUse> uses{
         mesh.vertices.size(), mesh.triangles.size(), [&](std::size_t face, const auto& add) {
@@ -156,7 +156,7 @@ class SliverReplacement {
     }
 
   private:
-    /// Whether there is a sliver beside the edge that nothing stands for yet, and another face.
+    /// Whether beside the edge there are another face and a sliver for which no face stands yet.
     bool is_open(std::uint32_t edge) const {
         const auto [p, q, a, b, count] = edges_[edge];
         return b != LA_NO_FACE && !(resolved_[a] && resolved_[b & LA_FACE_INDEX]);

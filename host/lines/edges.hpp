@@ -14,7 +14,7 @@ namespace lineatlas {
 struct MeshEdge {
     std::uint32_t p, q; ///< vertices, in the winding of `face_a`
     std::uint32_t face_a,
-        face_b;               ///< LA_NO_FACE where there is none; `face_b` may be LA_FACE_FLIPPED
+        face_b;               ///< LA_NO_FACE if there is none; `face_b` may be LA_FACE_FLIPPED
     std::uint32_t face_count; ///< triangles that use the edge: 1 boundary, above 2 non-manifold
 };
 
@@ -23,7 +23,7 @@ struct MeshEdge {
 /// (docs/decisions.md).
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh);
 
-/// Per vertex the first of its edges to larger ones, and the number of all.
+/// Per vertex the first of its edges to larger vertices, and at last the number of all edges.
 std::vector<std::uint32_t> first_edges(std::size_t vertices, std::span<const MeshEdge> edges);
 
 /// Unit normals per triangle in double precision; zero for a triangle without area.
@@ -36,12 +36,12 @@ std::vector<glm::dvec3> face_normals(const WeldedMesh& mesh);
 void replace_slivers(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
                      std::vector<MeshEdge>& edges);
 
-/// How many of those without a normal have no area at all. Others are thin: large polygons are cut
-/// into such.
+/// The number of triangles without any area. Other triangles without a normal are thin; large
+/// polygons are cut into such.
 std::size_t flat_face_count(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals);
 
-/// By how much the two faces of every edge are bent against each other, in radians from 0 (flat) to
-/// pi (folded back); 0 for edges that have not two.
+/// The bend between the two faces of every edge, in radians from 0 (flat) to pi (folded back); 0
+/// for edges without two faces.
 std::vector<double> bends_of(const std::vector<MeshEdge>& edges,
                              const std::vector<glm::dvec3>& normals);
 
@@ -52,10 +52,10 @@ inline constexpr double flat_bend = 0.008726646259971648;
 std::vector<bool> flat_faces(std::size_t triangles, std::span<const MeshEdge> edges,
                              std::span<const double> bends, double flat = flat_bend);
 
-/// LineOptions::crease where it is nothing: what bends less is no crease, and what bends more
-/// is none only where it is noise (noisy_creases.hpp). 28.8 degrees: the sides of a prism with
-/// twelve corners bend by 30, those of one with thirteen by 27.7, and however coarsely a file
-/// rounds its coordinates, the middle tells them apart as far as it can be done.
+/// The crease angle if LineOptions::crease is nothing. An edge that bends less is no crease, and
+/// one that bends more is a crease unless it is noise (noisy_creases.hpp). 28.8 degrees: the sides
+/// of a prism with twelve corners bend by 30 degrees, those of one with thirteen by 27.7. The
+/// middle tells them apart best, however coarsely a file rounds its coordinates.
 inline constexpr float least_crease_angle = 0.5026548F;
 
 /// The kind of line that an edge with this bend is under `options`; nothing if it is never one.

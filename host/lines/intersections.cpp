@@ -20,7 +20,8 @@ namespace {
 
 constexpr double coplanar = 2 * 0.017453292519943295; ///< radians
 const double coplanar_cosine = std::cos(coplanar);
-/// Round parts that fit each other cut each other where their facets don't match, at less.
+/// Round parts that fit each other cut each other at less than this angle where their facets do not
+/// match.
 const double shallow_cosine = std::cos(15 * 0.017453292519943295);
 
 // Shares of the model's diagonal.
@@ -40,7 +41,7 @@ class Crossing {
         : mesh_(mesh), normals_(normals), diagonal_(diagonal),
           contact_(contact_of(diagonal_, mesh.precision)) {}
 
-    /// Takes in what two triangles have in common.
+    /// Adds the intersection of two triangles.
     void operator()(std::uint32_t a, std::uint32_t b) {
         const glm::dvec3 normal_a = normals_[a], normal_b = normals_[b];
         if (normal_a == glm::dvec3{0} || normal_b == glm::dvec3{0}) return;
@@ -60,20 +61,20 @@ class Crossing {
         add(a, heights_a, b, heights_b);
     }
 
-    /// Takes in what another one has, behind its own.
+    /// Appends the intersections of another object.
     void append(const Crossing& other) {
         found_.insert(found_.end(), other.found_.begin(), other.found_.end());
         lying_.insert(lying_.end(), other.lying_.begin(), other.lying_.end());
     }
 
-    /// All of what was taken in.
+    /// All intersections so far.
     std::vector<Intersection> take() {
         join_lying();
         return std::move(found_);
     }
 
   private:
-    /// Where a triangle's edge meets the other one's plane.
+    /// A place where a triangle's edge meets the plane of the other triangle.
     struct End {
         EdgePlace place{};
         double at = 0; ///< along the line that both planes share
@@ -82,8 +83,8 @@ class Crossing {
         End first, last;
     };
 
-    /// A triangle on one side of another's plane, with an edge in it: it passes through with the
-    /// triangle beyond that edge, if that one is on the other side.
+    /// A triangle on one side of another's plane, with an edge in the plane. Together with the
+    /// triangle beyond that edge it passes through the plane if that triangle is on the other side.
     struct Lying {
         std::uint32_t p, q; ///< the edge's vertices, p < q
         std::uint32_t plane, face;
@@ -116,7 +117,7 @@ class Crossing {
 
     void add_through(const Lying& below, const Lying& above) {
         const std::uint32_t face = above.face, plane = above.plane;
-        Heights sides{}; // the triangle as if it reached as far below
+        Heights sides{}; // as if the triangle reached equally far below
         const glm::uvec3 t = mesh_.triangles[face];
         for (int k = 0; k < 3; ++k) sides[k] = t[k] == above.p || t[k] == above.q ? 0 : 1;
         const Heights heights_plane = heights(plane, face);
@@ -178,13 +179,13 @@ class Crossing {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     double diagonal_;
-    double contact_; ///< what lies no deeper behind a face only touches it
+    double contact_; ///< points no deeper behind a face only touch it
     std::vector<Intersection> found_;
     std::vector<Lying> lying_;
 };
 
-/// Makes places that are as good as equal one. Where an edge passes through an edge it meets two
-/// planes, at places that rounding tells apart; chains would end there.
+/// Merges places that are almost equal. Where an edge passes through an edge, it meets two planes
+/// at places that differ by rounding. Chains would end there.
 class NearPlaces {
   public:
     NearPlaces(const WeldedMesh& mesh, double diagonal, std::size_t most)
@@ -245,8 +246,8 @@ class NearPlaces {
         marked_[bit_of(hash)] = true;
     }
 
-    /// Most cells around a place are empty: a bit says so where the table would cost a walk through
-    /// memory.
+    /// Most cells around a place are empty. A bit tells so faster than the table, which would cost
+    /// an access to memory.
     std::size_t bit_of(std::uint64_t hash) const { return hash >> 8U & (marked_.size() - 1); }
 
     const WeldedMesh& mesh_;
@@ -264,7 +265,7 @@ class Doubles {
         : mesh_(mesh), normals_(normals), lines_(lines), diagonal_(diagonal),
           contact_(contact_of(diagonal_, mesh.precision)), tree_(boxes(mesh, lines)) {}
 
-    /// For each whether it is one.
+    /// Whether each intersection is doubled by a line.
     std::vector<bool> find(std::span<const Intersection> intersections) const {
         constexpr std::size_t piece = 256;
         const auto find = [&](std::size_t first, std::size_t end) {
@@ -280,7 +281,7 @@ class Doubles {
     }
 
   private:
-    /// `spans`: room for its own.
+    /// `spans`: a buffer.
     bool has(const Intersection& one, std::vector<Span>& spans) const {
         const glm::dvec3 p = place(one.p), way = place(one.q) - p;
         const double length = glm::length(way);
@@ -323,7 +324,7 @@ class Doubles {
         const double at_end = at_start + line_length / cosine;
         Span span{std::max(0.0, std::min(at_start, at_end)),
                   std::min(length, std::max(at_start, at_end))};
-        // Within reach of it: the distance is a square root of a + 2 b s + c s^2.
+        // Within reach of the line: the distance is the square root of a + 2 b s + c s^2.
         const glm::dvec3 apart = p - start - direction * glm::dot(p - start, direction);
         const glm::dvec3 opening = along - direction * cosine;
         const double reach = doubled * diagonal_;
@@ -365,8 +366,9 @@ class Doubles {
     BoxTree tree_;
 };
 
-/// A line that is drawn twice in some places would be left as crumbs between them: most of a chain
-/// decides for all of it, and short doubled parts stay.
+/// Decides about doubled lines by chains. A line that is doubled in some places would be left as
+/// crumbs between them. So the larger part of a chain decides for all of it, and short doubled
+/// parts stay.
 class ChainedDoubles {
   public:
     ChainedDoubles(const WeldedMesh& mesh, std::vector<Intersection>& intersections)

@@ -23,20 +23,21 @@ struct Intersection {
     std::uint32_t face_a, face_b; ///< face_a < face_b
 };
 
-/// All of one object, in no order that means anything; but none of faces that only touch, or lie in
-/// one plane. `tree` is of the object's triangles; parts, its owners, don't meet themselves.
-/// `diagonal` is the model's.
+/// All intersections within one object, in no particular order, except those of faces that only
+/// touch or lie in one plane. `tree`: that of the object's triangles; its owners are parts, which
+/// do not intersect themselves. `diagonal`: that of the model.
 std::vector<Intersection> find_intersections(const WeldedMesh& mesh,
                                              const std::vector<glm::dvec3>& normals,
                                              const TriangleTree& tree, double diagonal);
 
-/// A line that is drawn anyway.
+/// A line that is drawn in any case.
 struct DrawnLine {
     std::uint32_t p, q; ///< vertices
 };
 
-/// Takes out those beside which a line of the same object runs that is seen wherever they are: it
-/// would be drawn twice. What runs behind the surface of one of the two faces doesn't count.
+/// Drops intersections that would be drawn twice, because a line of the same object runs beside
+/// them and is visible wherever they are. Lines behind the surface of one of the two faces do not
+/// count.
 void drop_doubled(const WeldedMesh& mesh, const std::vector<glm::dvec3>& normals,
                   std::span<const DrawnLine> lines, double diagonal,
                   std::vector<Intersection>& intersections);

@@ -15,7 +15,7 @@ bool is_crease(KnownEdge::Kind kind) {
     return kind == KnownEdge::Kind::sharp || kind == KnownEdge::Kind::marked;
 }
 
-/// Per position of the mesh the vertex that triangles have in its place.
+/// Per position of the mesh the vertex that triangles use in its place.
 std::vector<std::uint32_t> vertices_of_positions(const Mesh& mesh, const WeldedMesh& welded) {
     std::vector<std::uint32_t> vertices(mesh.positions.size(), unused);
     for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
@@ -58,7 +58,7 @@ std::optional<KnownEdge::Kind> KnownEdges::kind_of(const MeshEdge& edge) const {
     if (!by_vertices_) return {};
     const auto found = by_vertices_->between(edge.p, edge.q);
     if (found.empty()) return {};
-    // Where parts touch, an edge may be two: the one that is a line wins.
+    // Where parts touch, two edges may be in one place. The one that is a line wins.
     for (const VertexPairs::Item& item : found)
         if (is_crease(edges_[item.index].kind)) return edges_[item.index].kind;
     return edges_[found.front().index].kind;
@@ -81,18 +81,18 @@ std::optional<LineKind> KnownEdges::classify(const MeshEdge& edge, const WeldedM
     const bool is_line =
         is_crease(kind) || (kind == KnownEdge::Kind::smooth && options.smooth_edges);
     if (is_line && (options.lines & mask_of(LineKind::crease)) != 0) {
-        // Faces of other parts in the same place make no boundary of it.
+        // Faces of other parts at the same edge do not make it a boundary.
         if (edge.face_count >= 2 || (options.lines & mask_of(LineKind::boundary)) == 0)
             return LineKind::crease;
     }
     if (kind == KnownEdge::Kind::free) seen.face_count = 1;
-    // Where parts touch, a triangle may stand for two, or an edge be of four: a face that goes on
-    // in the file has no end there.
+    // Where parts touch, a triangle may stand for two, or an edge may have four. A face that goes
+    // on in the file does not end there.
     if (kind == KnownEdge::Kind::seam) {
         if (edge.face_count < 2) return std::nullopt;
         seen.face_count = 2;
     }
-    rule.crease = std::numbers::pi_v<float>; // which no angle is above
+    rule.crease = std::numbers::pi_v<float>; // no angle is larger
     return lineatlas::classify(seen, mesh, bend, rule);
 }
 

@@ -18,16 +18,17 @@ class KnownEdges {
     /// The mesh must outlive it. Throws UsageError when an index is out of range.
     KnownEdges(const Mesh& mesh, const WeldedMesh& welded);
 
-    /// Whether the file says of every edge what it is; what it does not name is within a face.
+    /// Whether the file names the kind of every edge. Edges that it does not name are within a face
+    /// then.
     bool all() const { return all_; }
 
-    /// Whether faces go over into each other there.
+    /// Whether the faces of an edge continue each other smoothly.
     bool smooth(const MeshEdge& edge) const;
 
     /// Whether the edge is a line however little it is bent.
     bool drawn(const MeshEdge& edge) const;
 
-    /// As classify() of edges.hpp, for an edge of a mesh with all(), or one that is drawn().
+    /// As classify() of edges.hpp, for edges of a mesh with all() and for edges that are drawn().
     std::optional<LineKind> classify(const MeshEdge& edge, const WeldedMesh& mesh, double bend,
                                      const LineOptions& options) const;
 

@@ -67,7 +67,8 @@ void LineSetBuilder::put_paths(const std::vector<Line>& lines, const Chains& cha
     });
 }
 
-/// Which of them are silhouettes changes from frame to frame, so each is a path of its own (§4.1).
+/// Puts candidates into the table. The silhouettes among them change from frame to frame, so each
+/// candidate is a path of its own (§4.1).
 void LineSetBuilder::put_candidates(const std::vector<Line>& candidates, std::size_t first) {
     for_each_index(candidates.size(), [&](std::size_t i) {
         const std::uint32_t path = result.path_count + static_cast<std::uint32_t>(i);

@@ -24,9 +24,9 @@ class LineSetBuilder {
   public:
     explicit LineSetBuilder(std::size_t vertices) : edges_at_vertex_(vertices) {}
 
-    /// Something else ends at a vertex, or goes on from it: lines there are not alone.
+    /// Says that something else ends at a vertex or goes on from it. Lines there are not alone.
     void touch(std::uint32_t vertex) { ++edges_at_vertex_[vertex]; }
-    /// Fixed lines, chained; then silhouette candidates.
+    /// Adds fixed lines as chains, then silhouette candidates.
     void add(const std::vector<glm::vec3>& vertices, const std::vector<Line>& fixed,
              const std::vector<Line>& candidates, float chain_angle);
 
@@ -34,7 +34,7 @@ class LineSetBuilder {
 
   private:
     void count_vertices(const std::vector<Line>& lines);
-    /// Nothing else ends or goes on where it does.
+    /// Whether nothing else ends or goes on at the ends of a line.
     bool is_alone(const Line& line) const;
 
     struct PathPlace {
@@ -42,7 +42,7 @@ class LineSetBuilder {
         std::uint32_t path = 0;
         bool closed = false;
     };
-    /// As segment i.
+    /// Puts a line into the table as segment i.
     void put(std::size_t i, const Line& line, bool reversed, const PathPlace& place);
     void put_paths(const std::vector<Line>& lines, const Chains& chains);
     void put_candidates(const std::vector<Line>& candidates, std::size_t first);

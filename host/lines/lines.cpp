@@ -163,7 +163,8 @@ class Extraction {
         reached_ = share;
     }
 
-    /// A number means every edge by that number, and who names edges has whole surfaces.
+    /// Not done if a crease angle is given (then every edge counts) or the file names its edges
+    /// (such files have no cracks).
     void close_gaps() {
         for (const auto& close : {close_cracks, close_t_junctions}) {
             const std::size_t closed = close(welded_, edges_);
@@ -240,7 +241,7 @@ class Extraction {
     }
 
     void leave_out_seams() {
-        if (!trees_ || options_.crease) return; // a number means every edge by that number
+        if (!trees_ || options_.crease) return; // with a crease angle every edge counts
         const std::int64_t start = host_nanoseconds();
         const std::vector<std::uint32_t> material =
             materials_of(mesh_.groups, welded_, object_of_triangle_);

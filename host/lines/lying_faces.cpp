@@ -33,7 +33,7 @@ Side side_of(const WeldedMesh& mesh, const MeshEdge& edge, std::uint32_t face, i
     return {face, t[corner] == edge.p, thin ? glm::dvec3{0} : across / height};
 }
 
-/// All faces of the edges of more than two.
+/// All faces of edges with more than two faces.
 std::unordered_map<std::uint32_t, std::vector<Side>>
 sides_of_crowded_edges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges) {
     std::unordered_map<std::uint64_t, std::uint32_t> crowded;
@@ -62,13 +62,13 @@ bool on_one_side(const Side& a, const Side& b) {
     return glm::dot(a.inward, b.inward) >= same_side;
 }
 
-/// What lies in one direction from an edge.
+/// The faces in one direction from an edge.
 struct Leaf {
-    double angle; ///< around the edge from the first one's on, from 0 to 2 pi
+    double angle; ///< around the edge from the first leaf on, from 0 to 2 pi
     std::vector<const Side*> sides;
 
-    /// Whether all that lies there looks towards larger angles, or smaller ones. Between two bodies
-    /// faces look both ways.
+    /// Whether all faces of the leaf look towards larger angles, or all towards smaller ones.
+    /// Between two bodies faces look both ways.
     bool looks(bool onwards) const {
         return std::ranges::all_of(sides,
                                    [&](const Side* side) { return side->runs_along == onwards; });
@@ -80,7 +80,7 @@ double angle_of(glm::dvec2 way) {
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// The sides of an edge by direction, once around it; empty where one has none.
+/// The sides of an edge by direction, once around it. Empty if a side has no direction.
 std::vector<Leaf> leaves_of(const WeldedMesh& mesh, const MeshEdge& edge,
                             const std::vector<Side>& sides) {
     const glm::dvec3 way = glm::dvec3{mesh.vertices[edge.q]} - glm::dvec3{mesh.vertices[edge.p]};
@@ -100,7 +100,7 @@ std::vector<Leaf> leaves_of(const WeldedMesh& mesh, const MeshEdge& edge,
     return leaves;
 }
 
-/// Makes the edge one of two faces, of one group if there are such.
+/// Makes the edge one of two faces, which are of one group if possible.
 void see_as_two(const WeldedMesh& mesh, const Leaf& one, const Leaf& two, MeshEdge& edge) {
     const auto group_of = [&](const Side* side) { return mesh.triangle_group[side->face]; };
     const Side *a = one.sides.front(), *b = two.sides.front();
@@ -113,7 +113,7 @@ void see_as_two(const WeldedMesh& mesh, const Leaf& one, const Leaf& two, MeshEd
     edge.face_count = 2;
 }
 
-/// The places between two neighbouring leaves that look at each other: where an eye may be.
+/// The places between two neighbouring leaves that look at each other, where an eye may be.
 std::vector<std::size_t> open_places(const std::vector<Leaf>& leaves) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < leaves.size(); ++i)

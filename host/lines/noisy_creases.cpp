@@ -22,14 +22,14 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 // The gate.
-constexpr double flat_share = 0.5; ///< where more of the faces are flat, a surface was designed;
-constexpr double gridded_share = 0.75;      ///< or so many, in a part of which fewer than this are
-constexpr double least_designed = 0.65;     ///< and which is rough: grids cut surfaces into quads.
-constexpr double least_rough = 8 * degree;  ///< noise about an edge, of such grids
-constexpr std::size_t least_gridded = 2000; ///< triangles of a part: grids are fine,
-constexpr std::size_t least_symmetric = 5000;      ///< those of shapes with symmetries, too
-constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely,
-constexpr double least_coarse = 0.05;              ///< of the model's diagonal: but for crumbs
+constexpr double flat_share = 0.5;      ///< a larger share of flat faces means a designed surface
+constexpr double gridded_share = 0.75;  ///< the same in gridded parts that are rough
+constexpr double least_designed = 0.65; ///< a smaller share of flat faces makes a part gridded
+constexpr double least_rough = 8 * degree;  ///< noise about an edge of a rough part
+constexpr std::size_t least_gridded = 2000; ///< triangles of a gridded part, because grids are fine
+constexpr std::size_t least_symmetric = 5000;      ///< triangles of a noisy part with symmetries
+constexpr std::size_t most_coarse_triangles = 200; ///< of a part; nobody scans so coarsely
+constexpr double least_coarse = 0.05; ///< of the model's diagonal; smaller parts are crumbs
 
 // Hysteresis: how far a crease stands out from the bends around it.
 constexpr double weak_ratio = 2.4, most_weak = 60 * degree;
@@ -46,7 +46,7 @@ constexpr std::size_t straightness_window = 4; ///< edges
 constexpr double least_network = 0.012; ///< of the model's diagonal
 constexpr int least_loop_edges = 9;
 constexpr double most_fading = 45 * degree; ///< of a fold that ends in smooth surface everywhere
-constexpr int most_stub_edges = 2;          ///< of one that is no line in any surface
+constexpr int most_stub_edges = 2;          ///< of a network that is no line in any surface
 
 /// Rings of edges around a vertex that count as its surroundings.
 constexpr int rings = 2;
@@ -102,7 +102,7 @@ class Surroundings {
             sums_ = std::move(wider);
         }
     }
-    /// The mean about an edge; 0 where there is nothing.
+    /// The mean about an edge; 0 if nothing was added there.
     double about(const MeshEdge& edge) const {
         const double weight = sums_[edge.p].weight + sums_[edge.q].weight;
         return weight > 0 ? (sums_[edge.p].value + sums_[edge.q].value) / weight : 0;
@@ -120,12 +120,12 @@ class Surroundings {
     std::vector<Sum> sums_;
 };
 
-/// Vertices that lines connect, with what the lines amount to.
+/// Networks of vertices that are connected by lines, with properties of the lines.
 class Networks {
   public:
     explicit Networks(std::size_t vertices) : sets_(vertices), of_(vertices) {}
 
-    /// An edge that is drawn whatever the view; the bend of a crease, else pi.
+    /// Adds an edge that is drawn in every view. bend: that of a crease, else pi.
     void add(const MeshEdge& edge, double length, double bend) {
         const std::uint32_t a = sets_.find(edge.p), b = sets_.find(edge.q);
         const std::uint32_t joined = sets_.unite(a, b);
@@ -143,7 +143,7 @@ class Networks {
         network.length += length;
         ++network.edges;
     }
-    /// All are in; then it can be asked.
+    /// Call after all edges are added and before any question.
     void close() {
         name_.resize(of_.size());
         for (std::uint32_t v = 0; v < of_.size(); ++v) name_[v] = sets_.find(v);
@@ -155,7 +155,7 @@ class Networks {
                (!network.cyclic || network.edges < least_loop_edges);
     }
 
-    /// Folds that end in smooth surface and nowhere else.
+    /// Whether the network of an edge is folds that end only in smooth surface.
     bool fades(const MeshEdge& edge) const {
         const Network& network = of_[name_[edge.p]];
         return !network.cyclic && network.sharpest < most_fading;
@@ -177,9 +177,9 @@ class Networks {
     std::vector<std::uint32_t> name_; ///< per vertex, of its network
 };
 
-/// Which parts are of a shape that repeats itself: of most of their edges there is another one, as
-/// long and bent as much. What turns about an axis or has two equal halves was designed; no scan
-/// is like that.
+/// Finds parts whose shape repeats itself: most of their edges have a twin of the same length and
+/// bend. Shapes that turn about an axis or have two equal halves were designed, because no scan is
+/// like that.
 class RepeatingParts {
   public:
     RepeatingParts(const MeshParts& parts, const std::vector<std::uint32_t>& wanted)
@@ -187,7 +187,7 @@ class RepeatingParts {
         for (const std::uint32_t part : wanted) is_wanted_[part] = true;
     }
 
-    /// Takes in edges: length(edge) is of one.
+    /// Adds edges. length(edge) is the length of an edge.
     template <class Length>
     void add(const std::vector<MeshEdge>& edges, std::span<const double> bends,
              const Length& length) {
@@ -238,7 +238,7 @@ class RepeatingParts {
     static constexpr double bend_step = 0.01 * degree;
 
     static std::ptrdiff_t twins_in(std::span<const EdgeShape> edges) {
-        // Of very many edges some are alike by chance.
+        // Among very many edges some are alike by chance.
         const double alike = std::min(5e-4, 75 / static_cast<double>(edges.size()));
         const auto are_twins = [&](const EdgeShape& a, const EdgeShape& b) {
             return a.bend == b.bend && b.length - a.length <= alike * b.length;
@@ -283,9 +283,9 @@ class CreaseFilter {
                              glm::dvec3{mesh_.vertices[edge.q]});
     }
 
-    /// Creases of surfaces that nobody designed. A designed one is cut into triangles along lines
-    /// that need not be there, and so flat across many of them; or it repeats itself; or it is so
-    /// coarse that each of its edges was drawn.
+    /// Finds creases of undesigned surfaces. A designed surface is flat across many edges, because
+    /// triangles cut its faces; or it repeats itself; or it is so coarse that each of its edges was
+    /// drawn.
     void find_doubtful() {
         const std::vector<bool> is_flat = flat_faces(mesh_.triangles.size(), edges_, bends_);
         const Surroundings flatness = flatness_of(is_flat);
@@ -316,7 +316,7 @@ class CreaseFilter {
         std::erase_if(trusted_, [&](std::uint32_t i) { return is_gridded_[i]; });
     }
 
-    /// How many of the triangles about an edge are flat.
+    /// The share of flat triangles about an edge.
     Surroundings flatness_of(const std::vector<bool>& is_flat) const {
         constexpr std::uint64_t one = std::uint64_t{1} << 32U; // flat ones below
         std::vector<std::atomic<std::uint64_t>> counts(mesh_.vertices.size());
@@ -381,8 +381,8 @@ class CreaseFilter {
         });
     }
 
-    /// The noise about an edge: root of the mean square of bends that are no creases at any angle,
-    /// by length.
+    /// Measures the noise about an edge: the root mean square, weighted by length, of bends that
+    /// are no creases at any angle.
     void measure_noise() {
         Surroundings squares{mesh_.vertices.size()};
         for_each_index(mesh_.vertices.size(), [&](std::size_t v) {
@@ -443,7 +443,8 @@ class CreaseFilter {
         return bends_[doubtful_[k]] > std::min(strong_ratio * noise_[k], most_strong);
     }
 
-    /// Of a chain whose steps are of `weak`, which are of `doubtful_`.
+    /// Whether a chain is a line. Its steps are numbers in `weak`, which holds numbers in
+    /// `doubtful_`.
     bool is_line(const Chain& chain, std::span<const std::uint32_t> weak) const {
         double weight = 0, noise = 0, whole = 0;
         EdgeLengths around;
@@ -468,7 +469,7 @@ class CreaseFilter {
         return score >= (chain.closed ? loop_discount * least : least);
     }
 
-    /// Chord over arc, of a few edges each.
+    /// Chord over arc, for a few edges at a time.
     double straightness(const Chain& chain, std::span<const std::uint32_t> weak) const {
         std::vector<glm::dvec3> points;
         for (const ChainStep step : chain.steps) {
@@ -489,10 +490,10 @@ class CreaseFilter {
         return arcs > 0 ? chords / arcs : 1;
     }
 
-    /// What is left and too small, beside nothing else that is drawn whatever the view. And folds
-    /// that fade at all their ends: the surface is smooth there, bent a little more than the least
-    /// for a crease and less around. Of curved parts that are no scans, as surfaces of
-    /// subdivision, all of them; of others an edge or two.
+    /// Drops networks that are too small and not connected to other lines. Also drops folds that
+    /// fade at all of their ends, where the surface is smooth and bends a little more than the
+    /// crease angle: in curved parts that are no scans, such as subdivision surfaces, all such
+    /// folds; in other parts those of an edge or two.
     void drop_networks() {
         Networks networks{mesh_.vertices.size()};
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -506,7 +507,7 @@ class CreaseFilter {
         for (const std::uint32_t i : doubtful_)
             noisy_[i] = noisy_[i] || (!is_gridded_[i] && networks.is_crumb(edges_[i], diagonal));
         for (const std::uint32_t i : trusted_) noisy_[i] = networks.fades(edges_[i]);
-        // Pieces of bits are words of their own.
+        // Pieces write to their own words of bits.
         for_each_index(edges_.size(), [&](std::size_t i) {
             if (is_crease(i)) noisy_[i] = noisy_[i] || networks.is_stub(edges_[i]);
         });
@@ -525,12 +526,12 @@ class CreaseFilter {
     std::span<const std::optional<LineKind>> kinds_;
     std::vector<bool> noisy_;
     std::vector<std::size_t> triangles_of_; ///< each part
-    /// Edges that are doubtful only where it is rough: of parts with many flat faces, and of those
-    /// that repeat themselves.
+    /// Parts whose edges are doubtful only where the surface is rough: parts with many flat faces,
+    /// and parts that repeat themselves.
     std::vector<bool> is_gridded_, is_symmetric_;
     std::vector<std::uint32_t> doubtful_; ///< edges
     std::vector<std::uint32_t> trusted_;  ///< edges of parts that are curved, but no scans
-    std::vector<double> noise_;           ///< of each doubtful one
+    std::vector<double> noise_;           ///< about each doubtful edge
     std::vector<EdgeLengths> lengths_;    ///< of the edges at each vertex
 };
 

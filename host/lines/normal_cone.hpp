@@ -9,11 +9,11 @@
 
 namespace lineatlas {
 
-/// A cone around the normals of faces, to either side: n and -n are one. It may be a little wider
-/// than needed, never narrower.
+/// A cone around the normals of faces. Normals n and -n count as one. It may be a little wider than
+/// needed, never narrower.
 struct NormalCone {
     glm::dvec3 axis{0};
-    double half_angle = -1; ///< radians; below 0: of no face, from pi / 2 on of all directions
+    double half_angle = -1; ///< radians; below 0: no face; from pi / 2 on: all directions
 
     static NormalCone of(glm::dvec3 normal) {
         return normal == glm::dvec3{0} ? NormalCone{} : NormalCone{normal, 0};
@@ -35,7 +35,8 @@ struct NormalCone {
         return {glm::normalize(axis), half + rounding};
     }
 
-    /// False only if all faces of one lie at less than `angle`, of at most 1, to all of the other.
+    /// False only if all faces of one cone lie at less than `angle`, at most 1, to all faces of the
+    /// other.
     static bool may_differ(const NormalCone& a, const NormalCone& b, double angle) {
         if (a.half_angle < 0 || b.half_angle < 0) return false;
         const double left = angle - a.half_angle - b.half_angle - rounding;
@@ -57,7 +58,7 @@ struct NormalCone {
 
     static double sine_between(glm::dvec3 a, glm::dvec3 b) { return glm::length(glm::cross(a, b)); }
 
-    /// Of two lines: 0 to pi / 2. An arc cosine would round small ones.
+    /// The angle between two lines, 0 to pi / 2. An arc cosine would round small angles.
     static double angle_between(glm::dvec3 a, glm::dvec3 b) {
         return std::atan2(sine_between(a, b), std::abs(glm::dot(a, b)));
     }

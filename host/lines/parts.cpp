@@ -30,7 +30,7 @@ std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<M
                                      const MeshParts& parts) {
     std::vector<double> volume(parts.count, 0);
     std::vector<glm::dvec3> origin(
-        parts.count); // one of its own: a part may be far from all others
+        parts.count); // an origin per part, because a part may be far from all others
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
         origin[parts.of_vertex[v]] = mesh.vertices[v];
     for (const glm::uvec3& t : mesh.triangles) {

@@ -10,24 +10,25 @@ namespace lineatlas {
 
 /// Connected parts: triangles that share vertices.
 struct MeshParts {
-    std::vector<std::uint32_t> of_vertex; ///< numbered from 0 as they come
+    std::vector<std::uint32_t> of_vertex; ///< parts are numbered from 0 in order of appearance
     std::uint32_t count = 0;
 };
 
 MeshParts find_parts(const WeldedMesh& mesh);
 
-/// What parts enclose, six times; below 0 where their triangles look inwards, and 0 of such that
-/// are not closed: not all edges are of two triangles, which run along it in opposite directions.
+/// Six times the volume that each part encloses. It is below 0 if the triangles look inwards, and 0
+/// for a part that is not closed. A part is closed if all of its edges have two triangles, which
+/// run along the edge in opposite directions.
 std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                                      const MeshParts& parts);
 
-/// Which parts are solids: all edges are of two triangles, which run along it in opposite
-/// directions, and those look outwards, for what they enclose is above 0.
+/// Whether each part is a solid: a closed part whose triangles look outwards, so that its volume is
+/// above 0.
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts);
 
-/// Turns the triangles of parts that would be solids but for looking inwards, and their edges,
-/// which run in their winding.
+/// Turns the triangles of closed parts that look inwards, and their edges, whose direction follows
+/// the winding.
 void turn_outwards(WeldedMesh& mesh, std::vector<MeshEdge>& edges, const MeshParts& parts);
 
 } // namespace lineatlas

@@ -8,7 +8,7 @@
 namespace lineatlas {
 namespace {
 
-/// The least power of two that is not less.
+/// The least power of two that is not below the value.
 float next_power(float value) {
     int exponent = 0;
     const float part = std::frexp(value, &exponent);
@@ -46,7 +46,8 @@ bool PlaceGrid::near(glm::vec3 place) const {
     return std::ranges::any_of(levels_, [&](const Level& level) { return near(level, place); });
 }
 
-/// No place reaches farther than half a cell: those in the eight cells about the nearest corner do.
+/// No place reaches farther than half a cell, so the eight cells about the nearest corner have all
+/// places in question.
 bool PlaceGrid::near(const Level& level, glm::vec3 place) {
     const GridCell low = GridCell::of(place - 0.5F * level.size, level.size);
     for (int i = 0; i < 8; ++i) {

@@ -18,11 +18,11 @@ struct GridCellHash {
     std::size_t operator()(const GridCell& cell) const;
 };
 
-/// Places, each with how far it reaches.
+/// Places, each with a reach.
 class PlaceGrid {
   public:
     void add(glm::vec3 place, float reach);
-    /// Whether any of them reaches so far.
+    /// Whether any of the places reaches `place`.
     bool near(glm::vec3 place) const;
 
   private:
@@ -40,13 +40,13 @@ class PlaceGrid {
     std::vector<Level> levels_;
 };
 
-/// Means of a value over what lies about a place.
+/// Means of a value about places.
 class MeanGrid {
   public:
     /// Forgets all; cells are of this size.
     void start(float size);
     void add(glm::vec3 place, float value, float weight);
-    /// The mean over a place's cell and, of less weight, those around it.
+    /// The mean over a place's cell and, with less weight, over the cells around it.
     float about(glm::vec3 place);
 
   private:

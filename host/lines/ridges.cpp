@@ -19,19 +19,20 @@
 namespace lineatlas {
 namespace {
 
-/// A fold as wide as the surface is smoothed.
+/// A scale at which folds are found, as wide as the surface is smoothed.
 struct Scale {
     float edges; ///< to what normals are smoothed
     float least; ///< strength somewhere along a line, radians
 };
 constexpr std::array<Scale, 2> scales{{{1, 0.5F}, {2.5F, 0.4F}}}; ///< fine ones first
 constexpr float ridge_factor = 1.3F;   ///< furrows are seen before crests
-constexpr float weak_share = 1 / 3.0F; ///< of the least strength: what goes on, once begun
+constexpr float weak_share = 1 / 3.0F; ///< of the least strength; a line that has begun goes on
+                                       ///< down to this
 constexpr float least_bend = 2.2F;     ///< strength times length, in deviations
 constexpr double least_length = 0.01;  ///< of the model's diagonal
 constexpr float most_strength = 1.5F;  ///< that counts, radians
 
-// The roughness mask: a line is stronger than what bends about it.
+// The roughness mask. A line must be stronger than the bends about it.
 constexpr float roughness_factor = 2.4F;
 constexpr float roughness_reach = 6;      ///< deviations
 constexpr std::size_t roughness_step = 4; ///< every so many triangles are asked
@@ -48,10 +49,10 @@ constexpr float most_shift = 0.6F; ///< deviations, by straightening
 /// √(2π): a fold's curvature is a Gaussian of its angle across it, whose second derivative at the
 /// crest is the angle over √(2π)·σ³.
 constexpr float root_two_pi = 2.5066283F;
-/// By what the kernel of Diffusion is more pointed than a Gaussian there.
+/// The factor by which the kernel of Diffusion is more pointed than a Gaussian there.
 constexpr float pointedness = 1.5F;
 
-/// Curvature as of ridges; for valleys the least, turned over.
+/// Curvature in the form for ridges. For valleys it is the least curvature with its sign changed.
 struct Field {
     LineKind kind;
     const PrincipalCurvature& own;
@@ -61,7 +62,7 @@ struct Field {
     float k(std::uint32_t v) const { return sign * own.k[v]; }
     glm::vec3 gradient(std::uint32_t v) const { return sign * own.gradient[v]; }
     float slope(std::uint32_t v) const { return sign * own.slope[v]; }
-    /// How much more it bends this way than the other way.
+    /// How much more the surface bends this way than the other way.
     float lead(std::uint32_t v) const { return k(v) - std::abs(other.k[v]); }
 };
 
@@ -74,7 +75,7 @@ struct FaceSlopes {
 std::optional<FaceSlopes> slopes_of(const Field& field, glm::uvec3 t) {
     const glm::vec3 a = field.own.way[t.x], b = field.own.way[t.y], c = field.own.way[t.z];
     const float of_b = glm::dot(a, b) < 0 ? -1.0F : 1.0F, of_c = glm::dot(a, c) < 0 ? -1.0F : 1.0F;
-    if (of_b * of_c * glm::dot(b, c) < 0) return {}; // it turns all about
+    if (of_b * of_c * glm::dot(b, c) < 0) return {}; // the direction turns all around
     return FaceSlopes{
         .slopes = {field.slope(t.x), of_b * field.slope(t.y), of_c * field.slope(t.z)},
         .way = a + of_b * b + of_c * c};
@@ -84,7 +85,7 @@ bool changes_sign(glm::vec3 v) {
     return (v.x < 0) != (v.y < 0) || (v.x < 0) != (v.z < 0);
 }
 
-/// Where a slope is zero on the way from one corner to another.
+/// The share of the way from one corner to another at which a slope is zero.
 float zero_between(float a, float b) {
     return a / (a - b);
 }
@@ -185,7 +186,7 @@ Path part_of(const Path& path, std::size_t first, std::size_t end) {
             .closed = path.closed && first == 0 && end == path.faces.size()};
 }
 
-/// Calls it with every stretch of pieces that `keeps` all say yes to, as a path of its own.
+/// Calls `each` with every stretch of pieces for which `keeps` is true, as a path of its own.
 template <class Keeps, class Each>
 void for_each_stretch(const Path& path, const Keeps& keeps, const Each& each) {
     std::size_t first = 0;
@@ -239,8 +240,8 @@ class RidgeFinder {
         for (; taken_of_ < found_.size(); ++taken_of_) take(found_[taken_of_]);
     }
 
-    /// The angle of a sharp fold that would bend there as much, radians; below 0 where a line would
-    /// be one of least curvature.
+    /// The angle, in radians, of a sharp fold that would bend as much there; below 0 if a line
+    /// there would be one of least curvature.
     float strength(const Field& field, std::uint32_t face, glm::vec3 along) const {
         const float squared = glm::dot(along, along);
         if (!(squared > 0)) return 0;
@@ -257,7 +258,7 @@ class RidgeFinder {
         return (mesh_.vertices[t.x] + mesh_.vertices[t.y] + mesh_.vertices[t.z]) / 3.0F;
     }
 
-    /// The mean of what bends about every triangle, in cells.
+    /// Finds the mean bend about every triangle, in cells.
     void find_roughness(const Field& ridges, const Field& valleys) {
         roughness_.start(roughness_reach * deviation_);
         for (std::size_t i = 0; i < faces_.size(); i += roughness_step) {
@@ -338,7 +339,8 @@ class RidgeFinder {
                         static_cast<float>(place.share));
     }
 
-    /// Strengths as means over a deviation to either side: those of single triangles jump.
+    /// The path with strengths that are means over a deviation to either side, because strengths of
+    /// single triangles jump.
     Path evened(Path path) const {
         const std::size_t count = path.faces.size();
         std::vector<float> lengths(count);
@@ -395,7 +397,7 @@ class RidgeFinder {
         return along_.near(mesh_.vertices[edge.p]) && along_.near(mesh_.vertices[edge.q]);
     }
 
-    /// Moves points along their edges to where the line bends least, not far.
+    /// Moves points a little along their edges to where the line bends least.
     void straighten(Path& path) const {
         const std::size_t count = path.points.size();
         const std::vector<EdgePlace> given = path.points;
@@ -432,9 +434,9 @@ class RidgeFinder {
     float deviation_ = 0; ///< of the scale
     MeanGrid roughness_;
     PlaceGrid taken_; ///< where lines are already
-    PlaceGrid along_; ///< what is said by those that were found
+    PlaceGrid along_; ///< places along the lines that were found
     std::vector<Ridge> found_;
-    std::size_t taken_of_ = 0; ///< of found_
+    std::size_t taken_of_ = 0; ///< lines of found_ that are in taken_
 };
 
 } // namespace

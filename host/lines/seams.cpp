@@ -16,8 +16,8 @@ namespace lineatlas {
 namespace {
 
 // Shares of the model's diagonal.
-constexpr double beyond = 1e-4;     ///< how far beside an edge it is looked whether a face goes on
-constexpr double same_plane = 3e-5; ///< how far apart faces may lie that are one
+constexpr double beyond = 1e-4;     ///< how far beside an edge a face must go on
+constexpr double same_plane = 3e-5; ///< how far apart faces of one plane may lie
 constexpr double least_part = 1e-3; ///< shorter parts are neither lines nor seams
 
 constexpr double most_bend = 0.017453292519943295; ///< of faces in one plane: 1 degree
@@ -43,8 +43,8 @@ Spans either(Spans a, const Spans& b, double gap) {
     return a;
 }
 
-/// Keeps of s from `span.from` to `span.to` where a linear function, of its values at 0 and 1, is
-/// not below 0.
+/// Narrows s, from `span.from` to `span.to`, to where a linear function is not below 0. at_0, at_1:
+/// its values at 0 and 1.
 void keep_above(Span& span, double at_0, double at_1) {
     if (at_0 < 0 && at_1 < 0) {
         span.to = span.from;
@@ -111,14 +111,15 @@ class SeamFinder {
             common += of_edge ? 1 : 0;
             if (!of_edge) third = t[k];
         }
-        if (common != 2 || normals_[face] == glm::dvec3{0}) return {}; // stands for a sliver
+        // A face without this edge or without a normal stands for a sliver.
+        if (common != 2 || normals_[face] == glm::dvec3{0}) return {};
         glm::dvec3 outward = glm::cross(at(edge.q) - at(edge.p), normals_[face]);
         outward = glm::normalize(outward);
         if (glm::dot(outward, at(third) - at(edge.p)) > 0) outward = -outward;
         return Side{face, outward};
     }
 
-    /// Faces near the edge that are none of its own and may lie along one of two normals.
+    /// Finds faces near the edge, except its own, that may lie along one of the normals.
     void find_near(const MeshEdge& edge, std::span<const glm::dvec3> along) {
         const auto reach = static_cast<float>(2 * beyond * diagonal_);
         const glm::vec3 p = mesh_.vertices[edge.p], q = mesh_.vertices[edge.q];
@@ -131,8 +132,8 @@ class SeamFinder {
                          surfaces_.closed_part[edge.face_a], keep);
     }
 
-    /// Where some face in the plane of this one covers the line beside the edge, `away` outwards;
-    /// with `surface`, of its own.
+    /// The spans where some face in the plane of this one covers the line beside the edge, `away`
+    /// outwards. surface: if it is not empty, only faces of the same surface count.
     Spans covered(const MeshEdge& edge, const Side& side, double away,
                   std::span<const std::uint32_t> surface) const {
         const glm::dvec3 move = side.outward * (away * diagonal_);
@@ -175,11 +176,11 @@ class SeamFinder {
     const TriangleTrees& trees_;
     const SeamSurfaces& surfaces_;
     double diagonal_;
-    double same_plane_; ///< how far apart faces may lie that are one
+    double same_plane_; ///< how far apart faces of one plane may lie
     std::vector<std::uint32_t> near_;
 };
 
-/// What is left of an edge between seams; parts shorter than `least` are not.
+/// The rest of an edge between seams, without parts shorter than `least`.
 Spans rest_of(const Spans& seams, double least) {
     Spans rest;
     double from = 0;

@@ -15,7 +15,7 @@
 namespace lineatlas {
 namespace {
 
-/// Boundaries at a corner, each compared with each other: more are no surface's.
+/// Boundaries at a corner that are compared with each other. A surface has no more.
 constexpr std::size_t most_at_vertex = 16;
 
 /// A corner within a boundary, by its way from the boundary's p.
@@ -43,7 +43,7 @@ class Finder {
             std::ranges::sort(boundaries_[vertex]);
     }
 
-    /// By edge, then along it.
+    /// Finds the corners, sorted by edge and along each edge.
     std::vector<Corner> find() {
         for (std::uint32_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) {
             const std::span<const std::uint32_t> here = boundaries_[vertex];
@@ -73,8 +73,8 @@ class Finder {
         return along > 0 && along < 1 && glm::length(out - along * way) <= widest_;
     }
 
-    /// Two boundaries from a corner on, and those that go on from these, for as long as they run
-    /// along each other: to the next corner that they have in common, if all is well.
+    /// Follows two boundaries from a corner on as long as they run along each other: normally to
+    /// the next corner that they have in common.
     void follow(std::uint32_t start, std::uint32_t a, std::uint32_t b) {
         std::uint32_t from_a = start, from_b = start;
         while (edges_[a].face_a != edges_[b].face_a) {
@@ -96,7 +96,7 @@ class Finder {
         found_.push_back({edge, distance(edges_[edge].p, vertex), vertex});
     }
 
-    /// From an edge's end to the boundary that goes on from there, if any does.
+    /// Goes on from the end of an edge to the next boundary. Returns false if there is none.
     bool step(std::uint32_t& edge, std::uint32_t& from, std::uint32_t end) const {
         const std::span<const std::uint32_t> here = boundaries_[end];
         if (here.size() > most_at_vertex) return false;
@@ -116,7 +116,7 @@ class Finder {
     std::vector<Corner> found_;
 };
 
-/// Triangles with corners within their sides, divided.
+/// Divides triangles with corners within their sides.
 class Divider {
   public:
     Divider(WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
@@ -154,13 +154,13 @@ class Divider {
     }
 
   private:
-    /// What lies within a side of a triangle, from its corner p on.
+    /// Corners within a side of a triangle, from its corner p on.
     struct Side {
         std::uint32_t face, p;
         std::vector<std::uint32_t> within;
     };
 
-    /// `within[k]`: what lies within the side from corner k to the next.
+    /// `within[k]`: the corners within the side from corner k to the next.
     void add(glm::uvec3 t, std::array<std::vector<std::uint32_t>, 3> within) {
         const auto divided =
             std::ranges::find_if(within, [](const auto& one) { return !one.empty(); });

@@ -15,7 +15,7 @@ class Surfaces {
         : mesh_(mesh), known_(known), shapes_(shapes),
           tolerance_(same_place * diagonal_of(mesh.vertices)) {}
 
-    /// Whether the surface beside an edge goes on beyond it: a file may cut a cylinder in two.
+    /// Whether the surface beside an edge goes on beyond it. A file may cut a cylinder in two.
     bool go_on(const MeshEdge& edge) const {
         const std::uint32_t a = edge.face_a, b = edge.face_b & LA_FACE_INDEX;
         return lies_on_surface_of(a, b) && lies_on_surface_of(b, a);

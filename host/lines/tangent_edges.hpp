@@ -11,8 +11,9 @@
 
 namespace lineatlas {
 
-/// Edges at which two surfaces of the file go over into each other, as where a fillet ends; not
-/// those that cut one surface in two. `shapes`: plain_shape() of each of `surfaces`' own.
+/// Edges at which two surfaces of the file continue each other smoothly, such as where a fillet
+/// ends. Edges that cut one surface in two are left out. `shapes`: plain_shape() of each shape of
+/// `surfaces`.
 std::vector<std::uint32_t> tangent_edges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                                          const KnownEdges& known, const KnownSurfaces& surfaces,
                                          std::span<const SurfaceShape> shapes);

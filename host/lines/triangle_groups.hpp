@@ -8,17 +8,18 @@
 
 namespace lineatlas {
 
-/// The colours of groups, and which one each triangle has.
+/// Adds the colours of groups, and the colour of each triangle.
 void add_colors(const std::vector<MeshGroup>& groups,
                 const std::vector<std::uint32_t>& triangle_group, LineSet& result);
 
-/// Materials as numbers: triangles of one are one surface where they meet in a plane. What has no
-/// material is of its object. `objects`: of objects_of(), where they count.
+/// The number of each triangle's material. Triangles of one material are one surface where they
+/// meet in a plane. A triangle without a material has a number of its object. `objects`:
+/// objects_of(), if they count.
 std::vector<std::uint32_t> materials_of(const std::vector<MeshGroup>& groups,
                                         const WeldedMesh& mesh,
                                         const std::vector<std::uint32_t>& objects);
 
-/// Of every triangle; empty where all of the mesh is one.
+/// The object of every triangle; empty if the whole mesh is one object.
 std::vector<std::uint32_t> objects_of(const WeldedMesh& mesh);
 
 } // namespace lineatlas

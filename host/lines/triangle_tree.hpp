@@ -19,15 +19,15 @@ inline Bounds bounds_of(const WeldedMesh& mesh, std::uint32_t triangle) {
 }
 
 /// Triangles of one object in a tree of the boxes around them, with cones of their normals. Its
-/// owners are parts, which hang together by vertices.
+/// owners are parts, whose triangles are connected by vertices.
 class TriangleTree {
   public:
     TriangleTree(const WeldedMesh& mesh, std::span<const glm::dvec3> normals,
                  std::span<const std::uint32_t> part_of_vertex,
                  std::span<const std::uint32_t> triangles);
 
-    /// Calls visit(t) for the triangles whose box meets `box`, but for those of one part. Some of
-    /// those that lie at more than `angle` to all of `directions` are left out.
+    /// Calls visit(t) for the triangles whose box meets `box`, except those of one part. May leave
+    /// out triangles that lie at more than `angle` to all of `directions`.
     template <class Visit>
     void visit_along(const Bounds& box, std::span<const glm::dvec3> directions, double angle,
                      std::uint32_t but, Visit&& visit) const {
@@ -38,11 +38,11 @@ class TriangleTree {
         });
     }
 
-    /// For every two triangles a < b of different parts whose boxes meet, calls visitors[i](a, b),
-    /// of visitors made by make() for parts of the work that several threads do at once. Returns
-    /// the visitors: one after the other they have met what one alone would have, in its order.
-    /// Some of those that lie at less than `angle` to each other are left out: of n sheets in one
-    /// place nearly all of n^2 pairs.
+    /// Calls visitors[i](a, b) for every two triangles a < b of different parts whose boxes meet.
+    /// make() makes a visitor for each part of the work, which several threads do at once. Returns
+    /// the visitors: together, in their order, they have met the pairs that a single visitor would
+    /// have met. May leave out pairs that lie at less than `angle` to each other; of n sheets in
+    /// one place these are nearly all of n^2 pairs.
     template <class Visitor, class Make>
     std::vector<Visitor> visit_pairs_at(double angle, const Make& make) const {
         const auto may = [&](std::uint32_t a, std::uint32_t b) {
@@ -59,14 +59,14 @@ class TriangleTree {
 
   private:
     BoxTree boxes_;
-    std::vector<NormalCone> cones_; ///< of its nodes
+    std::vector<NormalCone> cones_; ///< cones of the tree's nodes
 };
 
-/// A tree for each object: what stands beside it is nothing to its lines, since either may move.
+/// A tree for each object. Other objects do not affect its lines, because either may move.
 class TriangleTrees {
   public:
-    /// `object_of_triangle` must outlive it; empty: all are of one. `left_out`, of triangles, may
-    /// be empty.
+    /// `object_of_triangle` must outlive this object; empty: all triangles are of one. `left_out`:
+    /// per triangle; may be empty.
     TriangleTrees(const WeldedMesh& mesh, std::span<const glm::dvec3> normals,
                   std::span<const std::uint32_t> part_of_vertex,
                   std::span<const std::uint32_t> object_of_triangle,

@@ -10,8 +10,8 @@
 
 namespace lineatlas {
 
-/// The triangles of parts that nobody designed: scanned, sculpted or grown surfaces. In what was
-/// designed most triangles have a neighbour in their own plane, or are slivers.
+/// The triangles of undesigned parts: scanned, sculpted or grown surfaces. In designed parts most
+/// triangles have a neighbour in their own plane, or are slivers.
 std::vector<std::uint32_t> undesigned_faces(const WeldedMesh& mesh,
                                             const std::vector<MeshEdge>& edges,
                                             std::span<const double> bends, const MeshParts& parts);

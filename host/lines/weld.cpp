@@ -74,7 +74,8 @@ glm::uvec3 sorted(glm::uvec3 t) {
 
 enum class Triangle : std::uint8_t { proper, collapsed, repeated };
 
-/// Marks triangles of one smallest vertex that have the corners of an earlier one.
+/// Marks triangles that have the corners of an earlier one, among triangles with the same smallest
+/// vertex.
 void mark_repeated(const std::vector<glm::uvec3>& triangles, std::span<std::uint32_t> of_vertex,
                    std::vector<Triangle>& kinds) {
     const auto corners = [&](std::uint32_t triangle) {
@@ -104,7 +105,7 @@ std::vector<Triangle> kinds_of(const std::vector<glm::uvec3>& triangles, std::si
     return kinds;
 }
 
-/// Puts the vertices that are used into the mesh: by object, else in their order.
+/// Puts the used vertices into the mesh, by object and within an object in their order.
 void take_used_vertices(const VertexWelder& welded, std::size_t object_count, WeldedMesh& mesh) {
     std::vector<std::uint32_t> index(welded.vertices.size(), none);
     const auto for_each_index = [&](auto&& visit) {

@@ -10,7 +10,7 @@
 namespace lineatlas {
 namespace {
 
-/// `digits`: 7 are those of a float; a place far from zero needs more.
+/// `digits`: a float has 7; a place far from zero needs more.
 std::string written(glm::dvec3 v, int digits = 7) {
     return fmt::format("{:.{}g},{:.{}g},{:.{}g}", v.x, digits, v.y, digits, v.z, digits);
 }
@@ -28,13 +28,14 @@ std::string describe_camera(const Camera& camera, glm::dvec3 origin) {
                            written(eye + distance * forward + origin, digits), written(up), fov);
     };
     const float half_height = 1 / camera.projection[1][1];
-    if (camera.eye().w == 0) { // parallel: from where an angle of 40 degrees shows as much
+    if (camera.eye().w == 0) { // a parallel view becomes one from where an angle of 40 degrees
+                               // shows as much
         const glm::dvec3 place{glm::inverse(v)[3]};
         const double distance = half_height / std::tan(0.5F * View{}.fov_y);
         return options(place, distance, 40) + " --projection orthographic";
     }
     const glm::dvec3 eye{camera.eye()};
-    // So far away that the digits of both places tell where the camera looks.
+    // The target is so far away that the digits of both places tell where the camera looks.
     const double distance = std::max({1.0, std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)});
     return options(eye, distance, 2 * std::atan(half_height) * 180 / std::numbers::pi_v<float>);
 }

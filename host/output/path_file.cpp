@@ -13,9 +13,9 @@ namespace {
 
 struct Known {
     std::string_view extension;
-    std::string_view end; ///< of its files
+    std::string_view end; ///< the last bytes of its files
 };
-/// By PathFile.
+/// In the order of PathFile.
 constexpr std::array known{Known{".svg", "</svg>\n"}, Known{".json", "}\n"}, Known{".dxf", "EOF\n"},
                            Known{".pdf", "%%EOF\n"}};
 
@@ -67,7 +67,7 @@ std::string path_file_text(PathFile type, const VectorDrawing& drawing,
 }
 
 bool is_whole_path_file(PathFile type, const std::filesystem::path& path) {
-    // Files appear whole or not at all; this tells ours from what others left there.
+    // Own files appear whole or not at all. The end tells them from files of other programs.
     std::ifstream file{path, std::ios::binary | std::ios::ate};
     const std::string_view end = known[static_cast<std::size_t>(type)].end;
     const auto size = static_cast<std::streamoff>(end.size());

@@ -11,7 +11,7 @@ namespace lineatlas {
 /// Types of files that hold a drawing as paths.
 enum class PathFile { svg, json, dxf, pdf };
 
-/// By its extension; nothing for all others.
+/// The type of a path, by its extension; nothing for other extensions.
 std::optional<PathFile> path_file_type(const std::filesystem::path& path);
 
 inline bool is_path_file(const std::filesystem::path& path) {
@@ -26,11 +26,11 @@ struct PathFileOptions {
     std::string description, certificate;
 };
 
-/// What the file is to hold. Throws UsageError and FileError.
+/// The content of the file. Throws UsageError and FileError.
 std::string path_file_text(PathFile type, const VectorDrawing& drawing,
                            const PathFileOptions& options);
 
-/// Whether a file of that type is there, to its last byte.
+/// Whether `path` holds a whole file of this type.
 bool is_whole_path_file(PathFile type, const std::filesystem::path& path);
 
 } // namespace lineatlas

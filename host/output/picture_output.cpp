@@ -13,7 +13,8 @@
 namespace lineatlas {
 namespace {
 
-/// Colours divided by a small alpha need more than the 8 bits that are left in the end.
+/// Bits of the canvas. Colours are divided by alpha, and a small alpha needs more than the 8 bits
+/// of the file.
 int canvas_bits(const PictureFrame& frame) {
     return frame.settings.bits > 8 || frame.transparent ? 16 : 8;
 }
@@ -27,7 +28,7 @@ PictureFrame with_tiles(PictureFrame frame, const Renderer& renderer) {
     return frame;
 }
 
-/// Where the style has a pen for outlines that is drawn nowhere: why. Else empty.
+/// The reason why a style's pen for outlines is drawn nowhere; empty if there is none.
 std::string outline_note(const PictureFrame& frame) {
     const Method method = frame.options.method;
     const bool in_tiles = method == Method::atlas && frame.tile_size != 0;
@@ -129,7 +130,7 @@ std::optional<FrameStats> PictureOutput::draw_smaller(const Camera& camera,
             say_outlines();
             return stats;
         } catch (const OutOfMemory&) {
-            if (begun_) throw; // a part of it is with the writer
+            if (begun_) throw; // the writer already has a part of the picture
         }
     }
     return {};

@@ -18,12 +18,12 @@ namespace lineatlas {
 struct PictureFrame {
     glm::ivec2 size;
     FrameOptions options;
-    ImageSettings settings; ///< its description is completed by the camera's
-    glm::dvec3 origin{0};   ///< of the lines, in the file's coordinates
+    ImageSettings settings; ///< the camera is added to its description
+    glm::dvec3 origin{0};   ///< origin of the lines, in the file's coordinates
     bool transparent = false;
-    int tile_size = 0; ///< 0: tiles only for what cannot be drawn in one piece
-    /// Told why a picture is drawn by tiles that no limit of the device demands, and where a
-    /// style's pens for outlines are of no use.
+    int tile_size = 0; ///< 0: tiles only if the picture cannot be drawn in one piece
+    /// Called with notes: why a picture is drawn by tiles although no limit of the device demands
+    /// it, and that a style's pens for outlines have no effect.
     std::function<void(const std::string&)> note{};
 };
 
@@ -38,7 +38,8 @@ class PictureOutput final : public FrameOutput {
         return writer_.is_whole(path, size);
     }
 
-    /// Draws the frame to the canvas only, for measuring. Drawn by tiles, the last one stays there.
+    /// Draws the frame to the canvas only, for measuring. If it is drawn by tiles, the last tile
+    /// stays there.
     FrameStats draw(const Camera& camera, const FrameOptions& options);
 
   private:
@@ -48,8 +49,8 @@ class PictureOutput final : public FrameOutput {
                           const ImageSettings& settings);
     FrameStats draw_tiles(const Camera& camera, const std::filesystem::path& path,
                           const ImageSettings& settings);
-    /// After draw_whole() has run out of memory, which `why` says: the same by tiles small enough;
-    /// nothing if there are none.
+    /// Draws by tiles that are small enough, after draw_whole() has run out of memory. `why`: the
+    /// message of that error. Returns nothing if no tile is small enough.
     std::optional<FrameStats> draw_smaller(const Camera& camera, const std::filesystem::path& path,
                                            const ImageSettings& settings, std::string_view why);
     /// Copies a tile from the canvas into the band. Tiles come row by row from the top; after the
@@ -64,7 +65,7 @@ class PictureOutput final : public FrameOutput {
     gl::Canvas canvas_;              ///< for the picture, or for a tile
     std::vector<std::uint8_t> band_; ///< a row of tiles
     bool said_outlines_ = false;
-    bool begun_ = false; ///< some of the current picture's tiles are with the writer
+    bool begun_ = false; ///< the writer has some tiles of the current picture
 };
 
 } // namespace lineatlas

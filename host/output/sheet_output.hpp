@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// Writes a sheet as SVG, DXF or PDF, or by another extension as a picture, whose resolution is
-/// that of `picture`. The file appears whole or not at all. Throws UsageError and FileError.
+/// Writes a sheet as SVG, DXF or PDF, or for other extensions as a picture with the resolution of
+/// `picture`. The file appears whole or not at all. Throws UsageError and FileError.
 void write_sheet(const std::filesystem::path& path, const VectorSheet& sheet,
                  const SheetWriting& writing, const ImageSettings& picture);
 

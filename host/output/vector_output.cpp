@@ -25,7 +25,7 @@ VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindLines fi
     : frame_(std::move(frame)), lines_(lines), find_(std::move(find)) {}
 
 bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
-    AtomicFile file{path}; // what cannot be written is said before the work
+    AtomicFile file{path}; // an error of writing is reported before the work
     const SeenLines seen = find_(camera);
     VectorOptions options = frame_.paths;
     options.outlines = seen.outlines;

@@ -15,29 +15,30 @@ namespace lineatlas {
 struct VectorFrame {
     Style style;
     VectorOptions paths;
-    SvgOptions svg; ///< of DXF and PDF too: see PathFileOptions
+    SvgOptions svg; ///< for DXF and PDF too, see PathFileOptions
     JsonOptions json;
-    std::string description; ///< is completed by the camera's
-    /// Checks a drawing before it is written to a file, and says in a line what it found; empty:
+    std::string description; ///< the camera is added to it
+    /// Checks a drawing before it is written to a file, and returns its result in a line. Empty:
     /// drawings are not checked.
     std::function<std::string(const VectorDrawing& drawing, const Camera& camera,
                               const std::filesystem::path& path)>
         certify{};
 };
 
-/// Says how much of a drawing is thinned: VectorDrawing::thinned_share. Empty below a thousandth.
+/// A note on how much of a drawing is thinned (VectorDrawing::thinned_share). Empty below a
+/// thousandth.
 std::string note_of_thinned(double share);
 
 /// Frames as paths, by extension.
 class VectorOutput final : public FrameOutput {
   public:
-    /// `find` is about `lines`, which must outlive it.
+    /// `find` finds what is visible of `lines`, which must outlive this object.
     VectorOutput(VectorFrame frame, const LineSet& lines, FindLines find);
 
     bool draw(const Camera& camera, const std::filesystem::path& path) override;
     void finish() override {}
     bool is_whole(const std::filesystem::path& path, glm::ivec2 size) override;
-    /// Of the frame of which most is thinned.
+    /// The note of the frame with the largest thinned share.
     std::string note() const override { return note_of_thinned(thinned_share_); }
 
   private:

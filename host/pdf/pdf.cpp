@@ -29,7 +29,7 @@ const pdf::Module& pdf_module() {
 
 constexpr double points_per_inch = 72;
 
-/// A sheet in points; `unit`: how many one of its units are.
+/// A sheet in points. `unit`: points per unit of the sheet.
 Sheet in_points(Sheet sheet, double unit) {
     sheet.size *= unit;
     sheet.scale *= unit;
@@ -68,7 +68,7 @@ pdf::Way way_of(const Outline& outline) {
                                  .ratio = arc.ratio,
                                  .from = arc.from,
                                  .sweep = arc.sweep});
-        } else if (i + 1 < points.size()) { // closing draws the last one
+        } else if (i + 1 < points.size()) { // closing draws the last step
             way.steps.push_back({.to = to});
         }
     }
@@ -92,7 +92,7 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcCho
     return strokes;
 }
 
-/// What `work` makes with the module. Throws FileError.
+/// Runs `work` with the module and returns its result. Throws FileError.
 template <class Work>
 auto with_module(const Work& work) {
     const pdf::Module& module = pdf_module();
@@ -109,7 +109,7 @@ std::string written(const pdf::Page& page) {
 
 constexpr double points_per_millimetre = points_per_inch / 25.4;
 
-/// A line or a circle of a sheet's own.
+/// Strokes for a line or a circle of the sheet itself.
 pdf::Strokes own_strokes(glm::vec3 color, double width, pdf::Way way) {
     return {.color = color,
             .width = width * points_per_millimetre,
@@ -143,7 +143,7 @@ pdf::Text text_of(const SheetText& text, glm::vec3 color) {
             .upward = text.upward};
 }
 
-/// What the sheet has of its own, under its views.
+/// Adds the sheet's own lines and circles, under its views.
 void add_own(const SheetLayout& layout, glm::vec3 color, pdf::Page& page) {
     for (const SheetLine& line : layout.lines)
         page.strokes.push_back(own_strokes(color, line.width, way_of(line)));

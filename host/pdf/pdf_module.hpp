@@ -9,16 +9,17 @@
 
 namespace lineatlas::pdf {
 
-/// The next part of a way: a straight line or a cubic from the present point, or an arc of an
-/// ellipse from the arc's start: center + cos(t) major + sin(t) minor, the minor half axis turned a
-/// quarter from x towards y.
+/// The next part of a way: a straight line or a cubic from the current point, or an arc of an
+/// ellipse. A point of the arc is center + cos(t) major + sin(t) minor; the minor half axis is
+/// turned by a quarter from the major one, from x towards y.
 struct Step {
     bool arc = false, cubic = false;
-    glm::dvec2 to{0};                             ///< of a straight one or a cubic Bézier curve
-    glm::dvec2 first_control{0}, last_control{0}; ///< of such a curve
+    /// End of a straight line or of a cubic Bézier curve.
+    glm::dvec2 to{0};
+    glm::dvec2 first_control{0}, last_control{0}; ///< control points of the curve
     glm::dvec2 center{0};
     glm::dvec2 major{1, 0};
-    double ratio = 1; ///< of the minor half axis to it
+    double ratio = 1; ///< ratio of the minor half axis to the major one
     double from = 0;  ///< t, radians
     double sweep = 0; ///< negative: towards smaller t
 };
@@ -27,7 +28,7 @@ struct Way {
     glm::dvec2 start{0};
     std::vector<Step> steps;
     bool closed = false;
-    double dash_offset = 0; ///< how much of the pattern of dashes it leaves out at its start
+    double dash_offset = 0; ///< length of the pattern of dashes that is left out at the start
 };
 
 enum class Join { mitre, round, bevel };
@@ -39,7 +40,7 @@ struct Strokes {
     double width = 1;
     Join join = Join::mitre;
     double mitre_limit = 4;
-    bool round_caps = false;    ///< else cut square
+    bool round_caps = false;    ///< false: cut square
     std::vector<double> dashes; ///< on, off; empty: solid
     std::vector<Way> ways;
 };
@@ -47,11 +48,11 @@ struct Strokes {
 /// A line of text.
 struct Text {
     glm::vec3 color{0};
-    glm::dvec2 at{0};    ///< on the line that letters stand on
+    glm::dvec2 at{0};    ///< a point on the line that letters stand on
     double height = 7;   ///< of capital letters
     std::string text;    ///< UTF-8
-    double before = 0;   ///< share of its width that lies before the point, 0 to 1
-    bool upward = false; ///< read from below to above, else from left to right
+    double before = 0;   ///< share of the text's width before the point, 0 to 1
+    bool upward = false; ///< true: reads from below to above; false: from left to right
 };
 
 /// A document of one page. Lengths are points, 72 to an inch, from its upper left corner, y down.
@@ -63,18 +64,18 @@ struct Page {
     std::vector<Text> texts;
 };
 
-/// Pixels from the upper left one, row by row: red, green, blue and alpha, 8 bits each, colours
+/// Pixels row by row from the upper left one: red, green, blue and alpha, 8 bits each. Colours are
 /// not multiplied by alpha.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<unsigned char> values;
 };
 
-/// What the module lineatlas-pdf offers; it alone links cairo. What is refused ends in a
+/// The functions of the module lineatlas-pdf, the only one that links cairo. It refuses a page by a
 /// std::runtime_error that says the cause in one line.
 struct Module {
     std::string (*write)(const Page& page);
-    /// The page as a picture of so many pixels per point.
+    /// Paints the page as a picture with `scale` pixels per point.
     Pixels (*paint)(const Page& page, double scale);
 };
 

@@ -108,8 +108,9 @@ class EarClipper {
         });
     }
 
-    /// No ear is left only in polygons that cross or touch themselves, or by rounding: then a
-    /// corner without area goes first, and after that the one that turns left most.
+    /// The corner to remove if no ear is left, which happens in polygons that cross or touch
+    /// themselves, or by rounding. A corner without area comes first, then the one that turns left
+    /// most.
     Corner least_harm(Corner start, std::size_t left) const {
         Corner best = start;
         double best_turn = -INFINITY;
@@ -153,8 +154,8 @@ void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint
     }
     std::vector<glm::dvec2> flat = project(positions, polygon);
     if (polygon.size() == 4) {
-        // Both diagonals split a convex quad: the shorter one gives the better triangles, and for
-        // a bent quad it is the one that modellers expect.
+        // Either diagonal splits a convex quad. The shorter one gives better triangles, and in a
+        // bent quad modellers expect it.
         const bool first =
             cross(flat[0], flat[1], flat[2]) > 0.0 && cross(flat[0], flat[2], flat[3]) > 0.0;
         const bool second =

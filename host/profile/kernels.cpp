@@ -14,15 +14,15 @@ namespace {
 /// The launches of a kernel within a stage.
 struct Launches {
     std::vector<double> each{};                          ///< nanoseconds
-    double bytes = 0, operations = 0;                    ///< of all that were counted
-    std::vector<double> byte_rates{}, operation_rates{}; ///< of each of these, per nanosecond
+    double bytes = 0, operations = 0;                    ///< sums of all counted launches
+    std::vector<double> byte_rates{}, operation_rates{}; ///< of each counted launch, per nanosecond
 };
 
 /// The launches of each kernel in the frame that was counted.
 using Counts = std::map<std::string, std::vector<LaunchCounts>>;
 
-/// What the k-th of a frame's `all` launches of a kernel does: as the k-th that was counted, or an
-/// equal part where a device divides the work otherwise.
+/// The work of the k-th of a frame's `all` launches of a kernel: that of the k-th counted launch,
+/// or an equal part if a device divides the work differently.
 LaunchCounts part_of(const std::vector<LaunchCounts>& counted, std::size_t k, std::size_t all) {
     if (counted.size() == all) return counted[k];
     LaunchCounts sum;
@@ -88,7 +88,7 @@ KernelTime time_of(const std::pair<std::string, std::string>& key, const Launche
     return kernel;
 }
 
-/// In percent; nothing where there is no roof.
+/// A share in percent; "-" if there is no roof.
 std::string share(double value, double roof) {
     return roof > 0 ? fmt::format("{:.1f}", 100 * value / roof) : "-";
 }

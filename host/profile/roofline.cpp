@@ -23,7 +23,7 @@ struct Axis {
     }
 };
 
-/// Around all values, which are above 0.
+/// The axis around all values, which are above 0.
 Axis axis_around(const std::vector<double>& values, double from, double to) {
     const auto [least, most] = std::ranges::minmax(values);
     return {static_cast<int>(std::floor(std::log2(least))) - 1,
@@ -54,7 +54,7 @@ std::string text_at(double x, double y, const char* anchor, const std::string& t
                        anchor, text);
 }
 
-/// Where a label hides none of the others: there, or below.
+/// A place for a label at which it covers no other: `place`, or below it.
 glm::dvec2 free_place(glm::dvec2 place, const std::vector<glm::dvec2>& others) {
     constexpr double line = 13, length = 130;
     const auto hides = [&](glm::dvec2 other) {
@@ -118,7 +118,7 @@ std::string roofline_svg(std::span<const KernelTime> kernels, const Roofs& roofs
         svg += grid(x, y) + roof_line(roofs, x, y);
         std::vector<glm::dvec2> labels;
         for (const Dot& dot : dots) {
-            // The area is the share of time.
+            // The area of a dot is its share of time.
             const double radius = 2 + 12 * std::sqrt(dot.kernel->sum / longest);
             const double at_x = x.place(dot.intensity);
             const double at_y = y.place(dot.kernel->gigaops_per_second);

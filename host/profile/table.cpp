@@ -9,13 +9,13 @@
 namespace lineatlas {
 namespace {
 
-/// What a kernel, a transfer or a GL pass took within one stage.
+/// The times of a kernel, a transfer or a GL pass within one stage.
 struct Work {
     ProfileTrack track;
     std::string name;
     std::vector<double> each{}; ///< nanoseconds
     double sum = 0;
-    double items = 0, bytes = 0; ///< of all
+    double items = 0, bytes = 0; ///< sums
     std::uint32_t group = 0;
 };
 
@@ -78,7 +78,7 @@ std::string row(const std::string& name, const char* track, double count, double
                        middle * 1e-6, sum * 1e-6, 100 * share);
 }
 
-/// The size of a launch, and its bytes a second beside those of a copy.
+/// Columns with the size of a launch, and its bytes a second beside those of a copy.
 std::string size_columns(const Work& work, double copy) {
     if (work.bytes == 0) return {};
     const auto launches = static_cast<double>(work.each.size());

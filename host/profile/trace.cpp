@@ -5,8 +5,7 @@
 #include "lineatlas/profile.hpp"
 
 // Trace Event Format: complete events ("X") on a thread per track, names as metadata ("M"),
-// counters
-// ("C"); times are microseconds.
+// counters ("C"). Times are microseconds.
 namespace lineatlas {
 namespace {
 
@@ -59,7 +58,7 @@ class Trace {
         }
     }
 
-    /// `next`: when the frame after it begins, which may be before GL is done with this one.
+    /// `next`: when the next frame begins, which may be before GL is done with this one.
     void add(const FrameProfile& frame, std::int64_t next) {
         add_complete("frame", "frame", frames_thread, frame.start, std::min(frame.end, next),
                      {{"frame", frame.number}});
@@ -130,7 +129,7 @@ std::string profile_trace(std::span<const FrameProfile> frames, const std::strin
                      {{"device", description},
                       {"clock_error_ns", std::move(errors)},
                       {"frames_dropped", frames.empty() ? 0 : frames.back().dropped}}}};
-    // Names of devices need not be UTF-8, JSON must be.
+    // Names of devices need not be UTF-8, but JSON must be.
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -30,17 +30,18 @@ class Scene {
 
 namespace {
 
-/// Of Embree's own: the thread sanitizer does not see what orders them.
+/// Embree's threads. The thread sanitizer does not see how Embree synchronizes them, so there is
+/// one under it.
 #ifdef __SANITIZE_THREAD__
 constexpr const char* threads_to_build = "threads=1";
 #else
-constexpr const char* threads_to_build = nullptr; // as it likes
+constexpr const char* threads_to_build = nullptr; // Embree chooses
 #endif
 
 constexpr std::size_t packet = 8;
 
-/// How far beyond its end a ray goes: what lies there is found whatever rounding does, and the
-/// judge knows better where it is.
+/// How far a ray goes beyond its end, so that rounding cannot lose a triangle at the end. The judge
+/// knows more exactly where it is.
 constexpr float beyond = 1e-5F;
 
 #if LINEATLAS_EMBREE == 3
@@ -64,7 +65,7 @@ void find_occluded(const int* valid, RTCScene scene, Context* context, RTCRay8* 
 }
 #endif
 
-/// What the filter of a packet has to know.
+/// The data for the filter of a packet.
 struct PacketContext {
     Context base{};
     const Judge* judge;
@@ -84,7 +85,7 @@ void ask_judge(const RTCFilterFunctionNArguments* args) {
 template <class T>
 void copy_to(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
              std::span<const T> values) {
-    // Copied, since Embree reads a few bytes beyond the end of shared buffers.
+    // Data is copied, because Embree reads a few bytes beyond the end of shared buffers.
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
     if (buffer == nullptr) throw std::runtime_error("Embree has not enough memory");
     std::ranges::copy(values, static_cast<T*>(buffer));

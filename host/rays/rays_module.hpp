@@ -7,7 +7,7 @@
 
 namespace lineatlas::rays {
 
-/// Triangles, sorted for rays.
+/// Triangles in a structure for casting rays.
 class Scene;
 
 /// A ray goes from `origin` to `origin + way` and a little beyond.
@@ -15,18 +15,18 @@ struct Ray {
     glm::vec3 origin, way;
 };
 
-/// Decides whether a triangle stops a ray. It is asked about those that the ray goes through, in
-/// any order and from the thread that casts, until one does.
+/// Decides whether a triangle stops a ray. `stops` is called for triangles that the ray goes
+/// through, in any order and on the thread that casts, until it returns true.
 struct Judge {
     bool (*stops)(const void* data, std::uint32_t ray, std::uint32_t triangle);
     const void* data; ///< handed on to `stops`
 };
 
-/// What the module lineatlas-rays offers; it alone links Embree. Nothing slips between two
-/// triangles that share an edge. What is refused ends in a std::runtime_error that says the cause
-/// in one line.
+/// The functions of the module lineatlas-rays, the only one that links Embree. No ray slips between
+/// two triangles that share an edge. Every refusal is a std::runtime_error that says the cause in
+/// one line.
 struct Module {
-    /// Copies what it is given.
+    /// Copies its arguments.
     Scene* (*build)(std::span<const glm::vec3> vertices, std::span<const glm::uvec3> triangles);
     void (*destroy)(Scene* scene);
     /// May be called from several threads. `stopped` has a place per ray and gets 0 or 1.

@@ -1,5 +1,5 @@
-// lineatlas-reader: reads models for programs that embed the library (load_mesh()), where a crash
-// of the reader must not be theirs. Installed beside the modules it loads.
+// lineatlas-reader: reads models for programs that embed the library (load_mesh()), so that a crash
+// of the reader does not end them. It is installed beside the modules that it loads.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

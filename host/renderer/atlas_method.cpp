@@ -19,10 +19,11 @@ namespace {
 // A first guess; a frame that needs more makes its tables grow.
 constexpr std::uint32_t first_sample_capacity = 1U << 16U;
 
-// A coordinate shifts by less than half a pixel, which nobody sees, and by no more than lines do.
+// The most by which a coordinate shifts, in pixels. Nobody sees less than half a pixel. Lines
+// themselves move by at least as much.
 constexpr float most_shift = 0.4F;
 
-/// In samples, at most.
+/// The most samples that a segment can have.
 std::uint32_t longest_segment(const Frame& frame) {
     const float diagonal = glm::length(frame.viewport());
     return static_cast<std::uint32_t>(std::ceil(diagonal / frame.options.step)) + 1;
@@ -61,7 +62,7 @@ void AtlasMethod::set_scene(const SceneBuffers& scene, const SceneBuffers::Table
 }
 
 void AtlasMethod::make_segment_tables(std::size_t segments) {
-    arcs_.release(); // they may not fit beside others
+    arcs_.release(); // others may not fit beside these
     clipped_.release();
     offsets_.release();
     const std::size_t sums = (segments + 1) * sizeof(std::uint32_t);
@@ -84,7 +85,7 @@ void AtlasMethod::make_atlas(const Frame& frame) {
 
 void AtlasMethod::prepare(const Frame& frame) {
     check_depth_size(frame.camera.size * frame.depth_scale());
-    // An item buffer keeps its depth to itself, as the raster form does.
+    // An item buffer counts as the raster form, because its depth is not for kernels either.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.forms.atlas == StageForm::raster ||
               (frame.options.forms.atlas == StageForm::automatic && prefers_raster_ &&
@@ -123,7 +124,7 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
     make_segment_tables(silhouettes_grew_
                             ? compute::room_to_grow(device_, segment_count_, sizeof(ClippedSegment))
                             : segment_count_);
-    silhouettes_grew_ = true; // by the first frame they were found, by the next ones they change
+    silhouettes_grew_ = true; // the tables fit the first frame, so only later frames make them grow
 }
 
 std::vector<std::uint32_t> AtlasMethod::read_offsets() {
@@ -137,7 +138,8 @@ void AtlasMethod::project(Frame& frame) {
     const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     find_silhouettes(frame);
     const compute::OcclusionTest occlusion{
-        .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // any buffer where it isn't read
+        .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // without culling it is not
+                                                                   // read, and any buffer will do
         .tile_count = compute::tiles_for(depth_.size()),
         .depth_scale = static_cast<float>(frame.depth_scale()),
         .tolerance = frame.depth_tolerance(),
@@ -247,7 +249,7 @@ bool AtlasMethod::grow_atlas(std::uint64_t needed) {
             purpose::atlas, (uncountable ? "over 4 billion" : std::to_string(needed)) + " samples",
             "this device's atlas holds " + std::to_string(most_samples_)));
     }
-    alpha_.release(); // there is the more room for another
+    alpha_.release(); // makes room for another
     sample_capacity_ =
         static_cast<std::uint32_t>(std::min(compute::room_to_grow(device_, needed), most_samples_));
     alpha_.fit(rows(sample_capacity_) * row_);
@@ -290,7 +292,8 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     begin_chunk(frame, 0);
     carries_ = TemporalStage::wanted(frame) && strokes_.has_textures(frame);
-    // The depth pyramid is what projection needs; without it, both go on at the same time.
+    // Projection needs nothing of depth but the pyramid. Without the pyramid both run at the same
+    // time.
     if (!cull_hidden_) {
         project(frame);
         device_.flush();

@@ -28,8 +28,8 @@ class AtlasMethod {
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release_scene();
-    /// Makes tables for another line set, and for chunks as large as those of `tables`.
-    /// The scene has other lines in the same tables.
+    /// Makes tables for another line set, and for chunks as large as those of `tables`. Call when
+    /// the scene has other lines in the same tables.
     void forget_lines() {
         chains_.forget_lines();
         batches_.forget();
@@ -50,22 +50,24 @@ class AtlasMethod {
     void make_atlas(const Frame& frame);
     void prepare_tiles(const Frame& frame);
     void make_segment_tables(std::size_t segments);
-    /// From here on stages are those of this chunk of the segments.
+    /// Makes a chunk of the segments the current one for all stages.
     void begin_chunk(Frame& frame, std::size_t chunk);
-    /// After all stages of a chunk, where there are several: what comes of it goes to the host.
+    /// Copies the results of a chunk to the host, after all of its stages, if there are several
+    /// chunks.
     void keep_chunk(Frame& frame);
-    /// Which silhouettes the current chunk has, in chains.
+    /// Finds the silhouettes of the current chunk and chains them.
     void find_silhouettes(Frame& frame);
-    /// In which its segments stand since then; waits.
+    /// The order in which find_silhouettes() has put the chunk's segments. Waits for the device.
     TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
-    /// Where the samples of each begin; empty where all stand as in the line set.
+    /// Where the samples of each segment begin; empty if the segments are in the order of the line
+    /// set.
     std::vector<std::uint32_t> read_offsets();
     void project(Frame& frame);
-    /// Samples, intervals and runs of the current chunk.
+    /// Finds samples, intervals and runs of the current chunk.
     void find(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target, const ProgressPart& progress);
-    /// The fill of the tile that is drawn now.
+    /// Draws the fill of the current tile.
     void fill_tile(Frame& frame);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
@@ -74,7 +76,7 @@ class AtlasMethod {
     void sample_compute(Frame& frame);
     void sample_raster(Frame& frame);
     void sample_item_buffer(Frame& frame);
-    /// Texture coordinates of silhouettes, where `carries_`.
+    /// Carries texture coordinates of silhouettes over, if `carries_`.
     void carry(Frame& frame);
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
@@ -85,7 +87,8 @@ class AtlasMethod {
     std::uint64_t rows(std::uint32_t samples) const {
         return (std::uint64_t{samples} + row_ - 1) / row_;
     }
-    /// Whether the current frame's atlas has more rows than GL can draw, and kernels may do it.
+    /// Whether the current frame's atlas has more rows than GL can draw, and kernels may compute
+    /// it.
     bool leaves_raster(const Frame& frame, std::uint32_t samples) const;
     /// Whether kernels need the current frame's depth.
     bool reads_depth() const {
@@ -99,7 +102,7 @@ class AtlasMethod {
     compute::Device& device_; ///< of stages_
     interop::Sharing& sharing_;
     bool prefers_raster_;
-    GLint largest_side_ = 0; ///< of what GL draws to
+    GLint largest_side_ = 0; ///< of anything that GL draws to
     GLint largest_texture_buffer_ = 0;
 
     DepthStage depth_;
@@ -111,15 +114,15 @@ class AtlasMethod {
     TemporalStage temporal_;
     OutlineStage outlines_;
     std::uint32_t segment_count_ = 0; ///< of the current chunk, as the frame draws it
-    std::uint32_t all_segments_ = 0;  ///< of the current chunk, candidates too
+    std::uint32_t all_segments_ = 0;  ///< of the current chunk, with all candidates
     compute::Table arcs_{device_, compute::table::arcs};
     interop::SharedTable clipped_, offsets_, alpha_;
     std::uint32_t sample_capacity_ = 0;
-    std::uint64_t most_samples_ = 0; ///< that an atlas can hold
+    std::uint64_t most_samples_ = 0; ///< the most that an atlas can hold
     std::uint32_t row_ = 1;          ///< samples of a row of the raster form
     bool keeps_intervals_ = false;   ///< the current frame
     bool finds_outlines_ = false;    ///< the current frame
-    bool silhouettes_grew_ = false;  ///< their tables, since set_scene()
+    bool silhouettes_grew_ = false;  ///< tables of silhouettes grew since set_scene()
     bool raster_ = false;            ///< the current frame's form of `atlas`
     bool cull_hidden_ = false;       ///< the current frame drops segments that are hidden whole
 

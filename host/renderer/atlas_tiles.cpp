@@ -1,5 +1,6 @@
-// Pictures that no framebuffer or depth buffer can hold: segments, runs and styles are those of the
-// whole picture; only depth with the samples that need it, and strokes, are drawn tile by tile.
+// Pictures that no framebuffer or depth buffer can hold. Segments, runs and styles are those of the
+// whole picture. Only depth, with the samples that need it, fills and strokes are drawn tile by
+// tile.
 #include "atlas_method.hpp"
 #include "backdrop.hpp"
 #include "compute/transfer.hpp"
@@ -19,7 +20,7 @@ void AtlasMethod::prepare_tiles(const Frame& frame) {
     raster_ = false;
     cull_hidden_ = false;
     carries_ = false;
-    temporal_.forget(); // there is nothing to average the next frame with
+    temporal_.forget(); // the next frame has nothing to be averaged with
     make_atlas(frame);
 }
 
@@ -45,8 +46,8 @@ void AtlasMethod::fill_tile(Frame& frame) {
             pieces_in_view(frame.scene, frame.clip_of_tile());
         return frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
     }
-    // What the tile shows was there for its samples, and is gone: memory for all tiles at once is
-    // what tiles are to save.
+    // The tile's depth was drawn for its samples and is gone, so it is drawn again. Tiles are there
+    // to save the memory of keeping it for all of them.
     const compute::DepthTile depth = depth_.draw_tile(frame, frame.tile);
     fill_.color(frame, depth_, frame.tile, depth.origin);
     fill_.lay(frame);
@@ -54,7 +55,7 @@ void AtlasMethod::fill_tile(Frame& frame) {
 
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame);
-    // Samples take about as long as strokes.
+    // Samples take about as long as strokes do.
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart sampling = progress.part(0, 0.5F), drawing = progress.part(0.5F, 1);
     const auto chunks = static_cast<float>(frame.scene.chunk_count());
@@ -63,12 +64,13 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         ProgressPart part = sampling.part(before / chunks, (before + 1) / chunks);
         begin_chunk(frame, chunk);
         project(frame);
-        // Counted first: drawing all depth again because the atlas was too small would take long.
+        // Samples are counted first: if the atlas were too small, drawing all depth again would
+        // take long.
         grow_atlas(compute::read_one<la_uint>(device_, offsets_.compute(), segment_count_));
         bool sampled = false;
         do {
             if (!sampled) sample_tiles(frame, target, part);
-            part = part.part(1, 1); // once more is no progress
+            part = part.part(1, 1); // sampling once more is no progress
             strokes_.make_runs(frame, segment_atlas(), nullptr, nullptr);
             sampled = !strokes_.changes_samples();
         } while (grow());

@@ -19,9 +19,10 @@ class Backdrop {
     /// The raster form of `fill`, before the strokes. `seen`: the pieces of the model that may be
     /// seen (DepthStage::drawn()). Changes the framebuffer's depth. Throws as check_fill() does.
     void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);
-    /// The same with the whole model.
+    /// As above, with the whole model.
     void draw_fill(Frame& frame, const Fill& fill);
-    /// After the strokes. The paper's colour is what the framebuffer was cleared to.
+    /// Draws the paper's grain, after the strokes. The framebuffer was cleared to the paper's
+    /// colour.
     void draw_paper(Frame& frame, const Paper& paper);
 
   private:

@@ -44,7 +44,7 @@ DepthStage::DepthStage(const interop::Connection& connection)
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();
-    // Nothing is known yet: the first frame draws all.
+    // Nothing is known yet, so the first frame draws all clusters.
     const bool culls = scene.triangle_count() >= fewest_culled_triangles();
     seen_.assign(culls ? scene.clusters().size() : 0, 1);
     clusters_ = scene.all_clusters();
@@ -57,13 +57,13 @@ void DepthStage::set_scene(const SceneBuffers& scene) {
 void DepthStage::choose_form(const Frame& frame) {
     imported_ = frame.options.own_depth.has_value();
     by_kernels_ = wants_kernels(frame);
-    // What GL draws replaces what kernels drew, or the buffers themselves.
+    // GL overwrites what kernels drew, or replaces the buffers.
     if (!by_kernels_) blank_of_.reset();
 }
 
 void DepthStage::prepare(const Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
-    // Kernels number their texels, and nobody reads more.
+    // Kernels draw the numbers of triangles, and nobody reads their depth.
     if (!by_kernels_) depth_.fit(area(texels) * sizeof(float));
     tiles_.fit(area(compute::tiles_for(texels)) * sizeof(float));
 }
@@ -82,7 +82,7 @@ compute::DepthTile DepthStage::draw_tile(Frame& frame, const PictureTile& tile) 
     } else {
         draw_tile_by_gl(frame, whole, {low, low + size});
     }
-    // Lines end at the picture's borders, perhaps a rounding beyond.
+    // Lines end at the picture's borders, or a rounding beyond, so tiles at a border reach far.
     constexpr int far = 1 << 30;
     const glm::ivec2 core = tile.low * scale;
     const glm::ivec2 core_end = (tile.low + tile.size) * scale;

@@ -21,38 +21,39 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 /// The depth of a frame: as a texture for GL passes, as a buffer for kernels, and as a pyramid.
 ///
-/// In the raster form of a large model only what may be seen is drawn, in two steps that leave
-/// exactly the depth that all triangles would: first the clusters that were seen in the last frame,
-/// then, of the others, those that the depth so far does not hide. The compute form finds that out
-/// by itself, and leaves the pyramid too.
+/// The raster form draws of a large model only the clusters that may be seen, in two steps: first
+/// those that were seen in the last frame, then those of the others that the depth so far does not
+/// hide. The depth is exactly that of all triangles. The compute form finds the clusters by itself,
+/// and writes the pyramid too.
 class DepthStage {
   public:
     explicit DepthStage(const interop::Connection& connection);
 
     void set_scene(const SceneBuffers& scene);
 
-    /// Draws the depth for GL passes only: into the texture.
+    /// Draws the depth into the texture, for GL passes only.
     void draw_texture(Frame& frame);
-    /// Draws what kernels look at, depth or the numbers of triangles, with the pyramid. GL's
-    /// textures have it after fill_texture().
+    /// Draws depth or the numbers of triangles, whichever kernels look at, with the pyramid. GL's
+    /// textures hold the result only after fill_texture().
     void draw_for_compute(Frame& frame);
-    /// Before GL passes look at textures: the numbers that kernels drew go there.
+    /// Copies the numbers that kernels drew to GL's texture. Call it before GL passes look at
+    /// textures.
     void fill_texture(Frame& frame);
-    /// Before the tiles of a frame.
+    /// Call before the tiles of a frame.
     void begin_tiles() { triangles_drawn_ = 0; }
-    /// Draws a part of a depth buffer that is too large to be held whole: what is within reach of
-    /// the samples of a tile of the picture. Of the pyramid nothing is made.
+    /// Draws the part of a depth buffer that samples in a tile of the picture can reach, for
+    /// pictures whose whole depth buffer would be too large. Makes no pyramid.
     compute::DepthTile draw_tile(Frame& frame, const PictureTile& tile);
-    /// What probes look at, by kernels.
+    /// The depth buffer that probes of kernels look at.
     compute::DepthBuffer probed(Frame& frame);
-    /// The same by GL's passes.
+    /// The depth buffer that probes of GL passes look at.
     gl::ProbeParams probed_by_gl(Frame& frame);
     SurfaceStage& surfaces() { return surfaces_; }
 
     /// Whether the frame's depth is drawn by kernels, if it draws any.
     bool wants_kernels(const Frame& frame) const;
-    /// Of what they drew last: the texels in which something may be, and a word per cluster, 1 if
-    /// it may be seen.
+    /// The texels that kernels may have drawn to, and a word per cluster, 1 if the cluster may be
+    /// seen. Both are of the last drawing by kernels.
     const TexelRectangle& drawn_texels() const { return drawn_texels_; }
     compute::Buffer& seen() const { return *visible_; }
 
@@ -61,8 +62,9 @@ class DepthStage {
         find_drawn();
         return triangles_drawn_;
     }
-    /// Which those were, as pieces of SceneBuffers::gl_triangles(); no other triangle can be seen.
-    /// Of a frame whose method draws no depth (an item buffer) they say nothing.
+    /// The triangles that the last frame drew, as pieces of SceneBuffers::gl_triangles(). No other
+    /// triangle can be seen. Means nothing after a frame without depth, such as that of an item
+    /// buffer.
     std::span<const gl::TriangleRange> drawn() {
         find_drawn();
         return ranges_;
@@ -74,31 +76,31 @@ class DepthStage {
     interop::SharedTable& tiles() { return tiles_; }
 
   private:
-    /// Of the current frame.
+    /// Chooses the form of the current frame.
     void choose_form(const Frame& frame);
     void prepare(const Frame& frame);
     /// Draws the texture by GL.
     void draw_raster(Frame& frame);
-    /// Of depth that GL has drawn, all of `part`: which triangles it shows, for kernels.
+    /// Copies the numbers of the triangles that GL has drawn in `part`, for kernels.
     void copy_surfaces(Frame& frame, const TexelRectangle& part);
     /// The raster form of draw_tile().
     void draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRectangle& part);
-    /// Draws a part of a depth buffer of `whole` texels, of which `covered` is wanted.
+    /// Draws `part` of a depth buffer of `whole` texels. Only `covered` is wanted of it.
     void draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRectangle& part,
                          const TexelRectangle& covered);
-    /// What kernels know of the numbers from their last frame, see DepthArgs::blank.
+    /// The tiles that kernels left blank in their last frame, see DepthArgs::blank.
     compute::Buffer& blank_tiles();
-    /// Draws all of it, that way.
+    /// Draws the whole depth buffer by kernels.
     void draw_by_kernels(Frame& frame);
-    /// What kernels have drawn, where nobody knows yet.
+    /// Reads which clusters kernels have drawn, unless that is known.
     void find_drawn();
     /// Adds the clusters that `selected` names to those that were drawn.
     void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint32_t>& selected);
-    /// The texels that probes may reach, as whole tiles: what lies beside them is never read.
+    /// The texels that probes may reach, as whole tiles. Texels beside them are never read.
     TexelRectangle covered(const Frame& frame) const;
     /// Converts the program's own depth in place of drawing.
     void import_depth(Frame& frame);
-    /// Copies what the model covers of the texture to the buffer, and builds the pyramid.
+    /// Copies the part of the texture that the model covers to the buffer, and builds the pyramid.
     void build_pyramid(Frame& frame);
     /// Draws the clusters that `selected` names.
     void draw_clusters(Frame& frame, const std::vector<std::uint32_t>& selected);
@@ -114,12 +116,13 @@ class DepthStage {
     const bool kernels_are_faster_;
     bool by_kernels_ = false; ///< the current frame's form
     bool drawn_is_known_ = true;
-    glm::ivec2 size_{0, 0};             ///< of what kernels drew
+    glm::ivec2 size_{0, 0};             ///< of the depth buffer that kernels drew
     TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model
     interop::SharedTable depth_, tiles_;
     compute::Table visible_{device_, compute::table::visible_clusters}; ///< a word per cluster
-    std::optional<glm::ivec2> blank_of_; ///< numbers of that size; none: GL has drawn since
+    std::optional<glm::ivec2> blank_of_; ///< size of the numbers that blank tiles are of; none: GL
+                                         ///< has drawn since
     compute::Table blank_{device_, compute::table::blank_tiles};
     std::vector<std::uint32_t> seen_;       ///< per cluster: seen in the last frame
     std::vector<std::uint32_t> appeared_;   ///< per cluster: to be drawn in the second step

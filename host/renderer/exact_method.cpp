@@ -42,12 +42,12 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     };
     const bool of_intervals = IntervalStage::wants_outlines(frame);
     const bool of_strokes = StrokeStage::wants_outlines(frame);
-    // Stages of a chunk, as they usually are; some run again where a table was too small.
+    // The usual number of stages of a chunk. Some stages run again if a table was too small.
     constexpr float usual_stages = 8;
     float done = 0;
     const auto clock = [&](const char* name, const auto& action) {
         if (progress) {
-            device_.finish(); // else only what was submitted would be told
+            device_.finish(); // else progress would tell only what was submitted
             progress(done);
             done += std::min((1 - done) / 2, 1 / (usual_stages * static_cast<float>(chunks)));
         }
@@ -80,7 +80,7 @@ bool ExactMethod::grow() {
 void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
     const Fill& fill = frame.options.style.fill;
     if (!FillStage::draws(frame, depth_)) return frame.backdrop.draw_fill(frame, fill, seen);
-    // Tiles of its own: this method's pictures may be as large as GL can draw.
+    // The method draws tiles of its own, because its pictures may be as large as GL can draw.
     constexpr int most_texels = 4096;
     for (const PictureTile& part : make_tiles(frame.tile.size, most_texels / frame.depth_scale())) {
         const PictureTile tile{frame.tile.low + part.low, part.size};

@@ -23,7 +23,7 @@ class ExactMethod {
     void release_scene() { lines_.release(); }
     /// Makes tables for another line set.
     void set_scene(const SceneBuffers& scene);
-    /// The scene has other lines in the same tables.
+    /// Call when the scene has other lines in the same tables.
     void forget_lines() {
         lines_.forget_lines();
         strokes_.forget_lines();
@@ -35,20 +35,21 @@ class ExactMethod {
     std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
-    /// Finds what is visible, and makes intervals and runs of it. Throws Cancelled.
+    /// Finds the visible spans and makes intervals and runs of them. Throws Cancelled.
     void find(Frame& frame, const ProgressPart& progress);
     bool grow();
     /// An atlas without samples.
     compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), 0}; }
-    /// The fill of what goes to the framebuffer; `seen`: as of Backdrop::draw_fill().
+    /// Draws the fill of the part that goes to the framebuffer. `seen`: as in
+    /// Backdrop::draw_fill().
     void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
     FrameStats stats(Frame& frame);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     ExactLines lines_;
-    interop::SharedTable alpha_; ///< of no samples
-    DepthStage depth_;           ///< for fills, which need what lines don't
+    interop::SharedTable alpha_; ///< without samples
+    DepthStage depth_;           ///< for fills; lines need no depth
     FillStage fill_;
     StrokeStage strokes_;
     IntervalStage intervals_;

@@ -22,7 +22,7 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
     Backdrop::check_fill(frame.framebuffer);
     size_ = tile.size;
     prepare(frame);
-    // Pixels whose texels have all been drawn; around the model, within it, there are some more.
+    // Only pixels whose texels have all been drawn. Kernels draw some texels more around the model.
     const int scale = frame.depth_scale();
     const glm::ivec2 origin = tile.low * scale - low;
     const TexelRectangle drawn = depth.drawn_texels();

@@ -13,15 +13,15 @@
 namespace lineatlas {
 
 /// The compute form of `fill`: kernels colour pixels by the triangles that `depth` found in them,
-/// and GL lays these over the picture. Backdrop::draw_fill() is the raster form.
+/// and GL lays the pixels over the picture. Backdrop::draw_fill() is the raster form.
 class FillStage {
   public:
     explicit FillStage(const interop::Connection& connection);
 
     /// For another line set.
     void set_scene() { shaded_.release(); }
-    /// Whether the frame has a fill that is drawn in this form: where `depth` has drawn, or will
-    /// draw, its depth by kernels.
+    /// Whether the frame has a fill that is drawn in this form. It is if kernels draw the frame's
+    /// depth.
     static bool draws(const Frame& frame, const DepthStage& depth) {
         return frame.options.style.fill.mode != FillMode::none && depth.wants_kernels(frame);
     }
@@ -33,7 +33,7 @@ class FillStage {
     void color(Frame& frame, DepthStage& depth) {
         color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
     }
-    /// Lays them over the picture; `at`: where the tile lies in the part of the
+    /// Lays the coloured pixels over the picture. `at`: where the tile lies in the part of the
     /// picture that goes to the framebuffer.
     void lay(Frame& frame, glm::ivec2 at = {0, 0});
 
@@ -45,7 +45,7 @@ class FillStage {
     compute::Table shaded_{device_, compute::table::shaded_colors}; ///< per triangle
     interop::SharedTable pixels_;                                   ///< of a tile
     glm::ivec2 size_{0, 0};              ///< of the tile that was coloured last
-    TexelRectangle part_;                ///< of it, where the model may be
+    TexelRectangle part_;                ///< the part of the tile where the model may be
     std::optional<gl::LayerPass> layer_; ///< made when first used
 };
 

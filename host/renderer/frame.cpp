@@ -26,7 +26,7 @@ bool Frame::knows_surfaces() const {
 }
 
 bool Frame::culls_hidden() const {
-    // Below this, samples and strokes cost less than the pyramid.
+    // With fewer segments, samples and strokes cost less than the pyramid.
     constexpr std::uint32_t fewest_segments = 10'000;
     return options.cull_hidden && options.method != Method::item_buffer &&
            scene.segment_count() >= fewest_segments;

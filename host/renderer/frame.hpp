@@ -35,7 +35,7 @@ struct Frame {
     glm::mat4 clip_of_tile() const {
         return tile_projection(camera.clip_from_world(), tile, camera.size);
     }
-    /// Of line, that are drawn.
+    /// The kinds of line that are drawn.
     LineKindMask kinds() const { return drawn_kinds(options.lines, options.style); }
     /// Depth texels per pixel and axis.
     int depth_scale() const {
@@ -45,26 +45,26 @@ struct Frame {
     std::uint32_t probes_per_axis() const;
     /// Window depth that may stand before a line, times w (kernels/atlas.cl).
     float depth_tolerance() const;
-    /// Whether probes judge what they hit as the surface that it is: that of the program's own
-    /// depth is not known.
+    /// Whether probes judge the surfaces that they hit, and not depth alone. They do unless the
+    /// depth is the program's own, whose surfaces are not known.
     bool knows_surfaces() const;
-    /// Whether each texel of the depth gets the number of its triangle: for probes, or for a fill,
-    /// which is all that the exact method has depth for.
+    /// Whether each texel of the depth gets the number of its triangle, for probes or for a fill.
+    /// The exact method has depth only for fills.
     bool numbers_surfaces() const { return knows_surfaces() || options.method == Method::exact; }
-    /// Whether segments and triangles that are hidden whole are looked for and left out.
+    /// Whether segments and triangles that are hidden as a whole are looked for and left out.
     bool culls_hidden() const;
     /// Pens and visibility as the passes take them.
     gl::StrokeParams stroke_params(const Pen& pen) const;
     gl::ProbeParams probe_params(GLuint depth) const;
 };
 
-/// The root of FrameOptions::probes, which is a square.
+/// Probes per axis: the root of `probes`, which is a square number.
 std::uint32_t probes_per_axis(std::uint32_t probes);
 
 /// Throws UsageError if the device has no textures as large as a depth buffer of that size.
 void check_depth_size(glm::ivec2 size);
 
-/// Whether the depth test works there.
+/// Whether the framebuffer has depth, so that a depth test works.
 bool has_depth_attachment(GLuint framebuffer);
 
 } // namespace lineatlas

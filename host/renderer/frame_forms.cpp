@@ -14,8 +14,8 @@ namespace {
 // No turn that is joined at all has a longer mitre (LA_JOIN_LIMIT_COSINE).
 constexpr float longest_mitre = 4;
 
-// Handing depth over for the judgement of clusters, and back, takes half a millisecond beyond what
-// it costs, in which a GPU draws about as many triangles (docs/benchmarks.md).
+// The fewest triangles for which a GPU culls clusters. Culling takes half a millisecond to hand
+// depth over and back. A GPU draws about this many triangles in that time (docs/benchmarks.md).
 constexpr std::uint32_t fewest_culled_by_gpus = 1U << 20U;
 
 /// Whether launch parameters are those of a CPU.

@@ -17,37 +17,38 @@ class IntervalStage {
     static bool wanted(const Frame& frame) {
         return frame.options.intervals != KeptIntervals::none;
     }
-    /// Whether hidden ones too.
+    /// Whether the frame keeps hidden intervals too.
     static bool wants_hidden(const Frame& frame) {
         return frame.options.intervals == KeptIntervals::all;
     }
 
-    /// Before the first find() of a frame.
+    /// Call before the first find() of a frame.
     void begin_frame(const Frame& frame) {
         table_.begin_frame(wanted(frame));
         outlines_.clear();
     }
-    /// Whether add_outlines() is to come after find().
+    /// Whether add_outlines() must follow find().
     static bool wants_outlines(const Frame& frame) {
         return wanted(frame) && tells_outlines(frame.options.style);
     }
-    /// Finds the frame's intervals, if it keeps any, and waits for their number. `input`: before a
-    /// style changes it.
+    /// Finds the frame's intervals, if it keeps any, and waits for their number. `input`: the atlas
+    /// before a style changes it.
     void find(Frame& frame, const compute::SegmentAtlas& input, DepthStage& depth);
-    /// The same of the exact method.
+    /// As above, for the exact method.
     void find(Frame& frame, const compute::ClippedTable& clipped, const compute::SpanTable& spans);
-    /// What of the current chunk's intervals, whose segments stand in that order, is outline.
+    /// Reads which parts of the current chunk's intervals are outline. order: that of the chunk's
+    /// segments.
     void add_outlines(const Frame& frame, const compute::OutlineTable& table,
                       const TableOrder& order);
-    /// Enlarges the table if they exceed it; true if they must be found again.
+    /// Enlarges the table if the intervals exceed it. Returns true if they must be found again.
     bool grow() { return table_.grow(); }
-    /// Where segments come in chunks: the intervals of the current one go to the host.
+    /// Copies the intervals of the current chunk to the host, if segments come in chunks.
     void keep(const Frame& frame, const TableOrder& order, std::span<const std::uint32_t> offsets) {
         table_.keep(frame.scene.first_segment(), order, offsets);
     }
-    /// Of the last frame; throws UsageError if it kept none.
+    /// The intervals of the last frame. Throws UsageError if it kept none.
     std::vector<Interval> read(const TableOrder& order, std::span<const std::uint32_t> offsets);
-    /// Likewise; empty where wants_outlines() was not so.
+    /// The outlines of the last frame; empty if wants_outlines() was false.
     std::vector<OutlinePart> read_outlines() const { return outlines_; }
 
   private:

@@ -8,9 +8,9 @@
 namespace lineatlas {
 namespace {
 
-/// A line on the raster. Columns are counted along its major axis, rows across it; it is drawn in
-/// the columns whose centre it crosses, so that lines that follow each other share none, but in one
-/// at least.
+/// A line on the raster. Columns are counted along its major axis, rows across it. A line is drawn
+/// in the columns whose centre it crosses, and at least in one column. So lines that follow each
+/// other share no column.
 class RasterLine {
   public:
     RasterLine(const ClippedSegment& segment, glm::ivec2 size)
@@ -48,8 +48,8 @@ class RasterLine {
     float row_at(int column) const { return point_at(centre(column))[1 - axis_]; }
 
     /// The line as it must be drawn. By the diamond-exit rule it has to cross the centre of its
-    /// last column by half a texel, and must not reach the next one; ends on a centre are left to
-    /// rounding.
+    /// last column by half a texel, and must not reach the centre of the next column. Rounding
+    /// decides about ends on a centre.
     gl::ItemLine ends(glm::ivec2 size) const {
         const bool forward = d_[axis_] >= 0.0F;
         const float before = forward ? -0.25F : 0.25F;
@@ -71,8 +71,8 @@ class RasterLine {
     /// The first column whose centre does not lie before `place`.
     static int column_from(float place) { return static_cast<int>(std::ceil(place - 0.5F)); }
 
-    /// Where the line, or what it would be if it went on, is at a place along the major axis. What
-    /// goes on goes on at the depth of the end: so short a line may lead far away.
+    /// The point of the line at a place along the major axis. Beyond an end the line goes on at the
+    /// depth of that end, because the slope of a short line may lead far away.
     glm::vec3 point_at(float place) const {
         const float along = place - p_[axis_];
         const float u = d_[axis_] != 0.0F ? std::clamp(along / d_[axis_], 0.0F, 1.0F) : 0.0F;
@@ -118,14 +118,14 @@ class LineSearch {
     }
 
   private:
-    /// The lowest row that the line covers in a column: it is `line_width` texels high, around its
-    /// spine.
+    /// The lowest row that the line covers in a column: the line is `line_width` texels high,
+    /// around its spine.
     int lowest_row(int column) const {
         const float half = 0.5F * static_cast<float>(images_.line_width - 1);
         return static_cast<int>(std::floor(line_.row_at(column) - half));
     }
-    /// Texels of a column that hold the line; one row more on either side is looked at, for where
-    /// the raster rounds another way.
+    /// Texels of a column that hold the line. One more row on either side is looked at, because the
+    /// raster may round another way.
     int found_in(int column, int row) const {
         const int first = std::max(row - 1, 0);
         const int last = std::min(row + images_.line_width + 1, rows_);

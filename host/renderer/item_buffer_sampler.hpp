@@ -10,19 +10,19 @@
 
 namespace lineatlas {
 
-/// Visibility by an item buffer, the methods that Table 1 compares the segment atlas with. The
+/// Visibility by an item buffer, for the methods that Table 1 compares the segment atlas with. The
 /// lines of a frame are drawn with an ID each, the picture is read back, and the host walks every
 /// line over it.
 ///
 /// Low (`probes` = 1): Northrup & Markosian, "Artistic Silhouettes: A Hybrid Approach", NPAR 2000.
 /// One layer at the size of the picture. A sample is visible if its line's ID stands at its pixel,
-/// or at the pixel beside it across the line: the raster may place a line one pixel off where it
-/// was walked. Lines hide each other, as in every item buffer with one layer.
+/// or at the pixel beside that across the line: the raster may place a line one pixel beside the
+/// host's walk. Lines hide each other, as in every item buffer with one layer.
 ///
 /// High (`probes` > 1): Cole & Finkelstein, "Partial Visibility for Stylized Lines", NPAR 2008.
 /// Supersampled by `probes`, three layers by peeling. A line is one pixel wide there; a sample's
 /// visibility is the share of the texels under its piece of the line that hold its ID in any layer.
-/// What counts as all of them is the width of the line in each texel column along that piece.
+/// The full number of texels is the width of the line in each texel column along that piece.
 ///
 /// In both, the ends of lines are moved along them by less than a texel, so that the diamond-exit
 /// rule leaves no gap between lines that follow each other, and even a line shorter than a texel
@@ -46,7 +46,7 @@ class ItemBufferSampler {
 
     gl::ItemBufferPass pass_;
     std::uint32_t segment_count_ = 0;
-    // They grow only: a scene's tables and a frame's samples change little from frame to frame.
+    // These tables never shrink: their sizes change little from frame to frame.
     std::vector<ClippedSegment> clipped_;
     std::vector<std::uint32_t> offsets_;
     std::vector<std::uint8_t> alpha_;

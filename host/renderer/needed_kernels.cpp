@@ -17,8 +17,8 @@ void add(Stages& stages, std::initializer_list<std::string_view> more) {
     stages.insert(stages.end(), more);
 }
 
-/// The style's own pen, and it with what each rule says of it: whatever a stage looks for in a pen,
-/// no two rules together bring it in.
+/// The style's own pen, and that pen changed by each rule alone. Two rules together bring in
+/// nothing that stages look for unless one of them does alone.
 std::vector<Pen> possible_pens(const Style& style, bool hidden) {
     const Pen& own = hidden ? style.hidden_pen : style.pen;
     std::vector<Pen> pens{own};
@@ -27,7 +27,7 @@ std::vector<Pen> possible_pens(const Style& style, bool hidden) {
     return pens;
 }
 
-/// What a style makes of the runs that are there.
+/// Adds the stages by which a style changes and draws runs.
 void add_run_stages(Stages& stages, const FrameOptions& options, bool by_kernels) {
     const Style& style = options.style;
     const std::vector<Pen> pens = possible_pens(style, false), hidden = possible_pens(style, true);
@@ -46,7 +46,7 @@ void add_run_stages(Stages& stages, const FrameOptions& options, bool by_kernels
     if (wants_steadiness(options) && has_textures(options, pens, hidden)) add(stages, {"carry"});
 }
 
-/// Depth, and what is looked up in it.
+/// Adds the stages of depth, and those that prepare looking at it.
 void add_depth_stages(Stages& stages, const FrameOptions& options, bool by_kernels) {
     if (by_kernels)
         add(stages, {"depth"});
@@ -57,7 +57,7 @@ void add_depth_stages(Stages& stages, const FrameOptions& options, bool by_kerne
 
 Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
     const bool depth_by_kernels = wants_depth_kernels(options, kernels_are_faster);
-    Stages stages{"transform", "contour"}; // of whatever moves
+    Stages stages{"transform", "contour"}; // for models that move
     if (options.method == Method::opengl) return stages;
     if (options.style.fill.mode != FillMode::none && depth_by_kernels) {
         add(stages, {"fill"});

@@ -8,7 +8,7 @@
 namespace lineatlas {
 
 /// The kernels that frames with these options launch in the current GL context, whatever the lines
-/// and the camera are; without those of pictures in tiles.
+/// and the camera are. Kernels of pictures in tiles are not among them.
 std::vector<compute::KernelForm> needed_kernels(const FrameOptions& options,
                                                 const compute::Device& device);
 

@@ -7,17 +7,18 @@
 
 namespace lineatlas {
 
-/// `outline` of the segment atlas: which parts of segments have the background beside them in the
-/// depth buffer. The exact method finds its own (ExactLines::outline()).
+/// `outline` for the segment atlas: finds which parts of segments have the background beside them
+/// in the depth buffer. The exact method has ExactLines::outline().
 class OutlineStage {
   public:
     explicit OutlineStage(compute::Stages& stages)
         : stages_(stages), offsets_(stages.device(), compute::table::outline_offsets),
           parts_(stages.device(), compute::table::outline_parts) {}
 
-    /// Of the frame's segments; waits for their number. `atlas`: its samples are not read.
+    /// Finds the outlines among the frame's segments, and waits for their number. `atlas`: its
+    /// samples are not read.
     compute::OutlineTable find(Frame& frame, const compute::SegmentAtlas& atlas, DepthStage& depth);
-    /// What find() found.
+    /// The result of the last find().
     compute::OutlineTable found() const { return {*offsets_, *parts_}; }
 
   private:

@@ -15,9 +15,10 @@ namespace lineatlas {
 /// The textures of the pens in use, made when first asked for.
 class PenTextures {
   public:
-    /// Throws UsageError for a mark that is an image file, and was not set.
+    /// Throws UsageError for a mark that is an image file and was not set.
     void check(std::string_view name) const;
-    /// The same, and for an image that is too large for the device.
+    /// The texture of a mark. Throws as check() does, and for an image that is too large for the
+    /// device.
     gl::PenTexture get(std::string_view name, float width);
     /// See Renderer::set_pen_image().
     void set_image(const std::string& name, Image image);

@@ -12,9 +12,10 @@ namespace lineatlas {
 namespace {
 
 constexpr std::size_t most_pending = 4;
-constexpr std::size_t most_finished = 1024; // where nobody takes them
+constexpr std::size_t most_finished = 1024; // kept if nobody takes them
 
-/// FrameProfile::copy_gigabytes_per_second: the best of a few, since other work only slows it down.
+/// FrameProfile::copy_gigabytes_per_second: the best of a few copies, because other work can only
+/// slow a copy down.
 double measure_copy(compute::Device& device) try {
     constexpr std::uint64_t bytes = std::uint64_t{32} << 20U; // more than most caches hold
     constexpr int rounds = 5;
@@ -31,7 +32,7 @@ double measure_copy(compute::Device& device) try {
     }
     return best;
 } catch (const Shortage&) {
-    return 0; // a frame without that column, rather than none
+    return 0; // better a profile without that column than none
 }
 
 } // namespace
@@ -138,7 +139,7 @@ void ProfileRecorder::release(Recording& recording) {
 
 FrameProfile ProfileRecorder::finished(Recording& recording) {
     FrameProfile& profile = recording.profile;
-    add_commands(recording); // while the events are still the host's alone
+    add_commands(recording); // while no other thread has the events
     add_passes(recording);
     release(recording);
     std::ranges::stable_sort(profile.events, {}, &ProfileEvent::start);
@@ -150,7 +151,7 @@ FrameProfile ProfileRecorder::finished(Recording& recording) {
 void ProfileRecorder::add_passes(Recording& recording) {
     if (!recording.passes.empty()) recording.profile.gl_error = recording.gl_offset.error;
     for (const Pass& pass : recording.passes) {
-        // GL takes passes in order, and none before it is submitted.
+        // GL takes passes in order, and no pass before it is submitted.
         std::int64_t start = std::max(pass.submitted, gl_end_);
         const std::int64_t offset = recording.gl_offset.nanoseconds;
         if (pass.start != 0) start = std::max(start, gl::TimerQueries::time(pass.start) + offset);

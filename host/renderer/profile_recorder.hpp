@@ -15,11 +15,11 @@ namespace lineatlas {
 /// so that a profiled frame waits no more than a plain one.
 class ProfileRecorder {
   public:
-    /// `gl_is_software`: GL works on this thread too, from the call on, and stamps say only when it
-    /// is done.
+    /// `gl_is_software`: then GL works on this thread from the call on, and stamps say only when a
+    /// pass is done.
     ProfileRecorder(compute::Device& device, bool gl_is_software);
 
-    /// A frame while it is drawn; one that is not finished leaves nothing behind.
+    /// A frame while it is drawn. A frame that is not finished leaves nothing behind.
     class Frame {
       public:
         explicit Frame(ProfileRecorder& recorder);
@@ -35,14 +35,15 @@ class ProfileRecorder {
     void begin_stage(ProfileTrack track, const char* stage);
     void end_stage();
 
-    /// The frames that are complete and were not taken yet; with a wait all of them.
+    /// The frames that are complete and were not taken yet. With `wait` all frames that were not
+    /// taken.
     std::vector<FrameProfile> take(bool wait);
 
   private:
     struct Pass {
         const char* stage;
         std::int64_t submitted;
-        GLuint start, end; ///< stamps; `start` is 0 where GL is software
+        GLuint start, end; ///< stamps; `start` is 0 if GL is software
     };
     struct Recording {
         FrameProfile profile;

@@ -69,7 +69,7 @@ GLuint framebuffer_name(GLuint framebuffer) {
     return framebuffer;
 }
 
-/// Throws UsageError for a framebuffer that such a frame can't be drawn to.
+/// Throws UsageError for a framebuffer that a frame with these options cannot be drawn to.
 void check_framebuffer(GLuint framebuffer, const FrameOptions& options) {
     const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
     if (status == GL_FRAMEBUFFER_UNDEFINED) {
@@ -87,7 +87,7 @@ void check_framebuffer(GLuint framebuffer, const FrameOptions& options) {
     if (options.style.fill.mode != FillMode::none) Backdrop::check_fill(framebuffer);
 }
 
-/// The same for calls that run in the renderer's state. Both must outlive it.
+/// The progress callback, called in the program's own GL state. Both arguments must outlive it.
 Progress outside(gl::StateGuard& guard, const Progress& progress) {
     if (!progress) return {};
     return [&](float done) {
@@ -137,8 +137,8 @@ class Renderer::State {
 
     bool context_is_current() const { return gl::current_context() == context_; }
 
-    /// At the start of a call that uses GL: refuses any context but the renderer's own. What comes
-    /// back keeps the program's state.
+    /// Call at the start of any call that uses GL. Refuses any context but the renderer's own. The
+    /// guard that it returns keeps the program's state.
     gl::StateGuard enter() const {
         if (gl::require_context() != context_) {
             throw UsageError("renderer: another OpenGL context is current than the one that this "
@@ -175,7 +175,7 @@ class Renderer::State {
         if (picking_) picking_->forget_lines();
     }
 
-    /// `parts`: whose lines these are, if they come and go.
+    /// `parts`: the assembly that the lines are of, if its parts come and go.
     void set_lines(const LineSet& lines, const AssemblyState* parts = nullptr) {
         scene_.reset();
         samples_drawn_ = false;
@@ -196,7 +196,7 @@ class Renderer::State {
         }
     }
 
-    /// To move.
+    /// The scene, to be moved.
     SceneBuffers& scene() {
         if (!scene_)
             throw UsageError(
@@ -204,8 +204,8 @@ class Renderer::State {
         return *scene_;
     }
 
-    /// Runs what launches kernels, on a device that has been tried. If it does not build one, and
-    /// nobody has chosen it, the next device takes over.
+    /// Runs an action that launches kernels on a device that has been tried. If the device fails to
+    /// build a kernel, and the user has not chosen it, the next device takes over.
     template <class Action>
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
@@ -354,7 +354,7 @@ class Renderer::State {
                                         "a buffer of this device holds " + written_bytes(most))};
     }
 
-    /// Throws DeviceError for what looks at all segments together, which one buffer does not hold.
+    /// Throws DeviceError for options that need all segments in one buffer, if they are in chunks.
     void check_chunks(const FrameOptions& options) const {
         if (options.method == Method::item_buffer) throw needs_whole_table(purpose::all_items);
         const bool has_strokes = options.method == Method::atlas || options.method == Method::exact;
@@ -362,17 +362,17 @@ class Renderer::State {
             throw needs_whole_table(purpose::all_halos);
     }
 
-    /// New tables in place of those that a frame has left half made.
+    /// Makes new tables in place of those that a failed frame has left half made.
     void mend() {
         if (!broken_) return;
         spine_.reset();
         exact_.reset();
-        atlas_.reset(); // it may not fit beside another
+        atlas_.reset(); // another may not fit beside it
         atlas_ = std::make_unique<AtlasMethod>(connection_);
     }
 
-    /// Runs what draws. If it fails, tables may be on either side of GL and compute, or half made:
-    /// the next frame starts with new ones.
+    /// Runs an action that draws. If it fails, tables may be on the side of GL or of compute, or
+    /// half made. Then the next frame starts with new tables.
     template <class Action>
     FrameStats unbroken(Action&& action) {
         if (broken_) {
@@ -385,7 +385,7 @@ class Renderer::State {
         try {
             stats = action();
         } catch (const DeviceError&) {
-            gl::require_alive(); // else it has failed for that reason
+            gl::require_alive(); // a lost context would be the reason of the failure
             throw;
         }
         gl::require_alive();
@@ -411,7 +411,7 @@ class Renderer::State {
         return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
     }
 
-    /// The camera as stages want it; refuses a depth texture that cannot be read.
+    /// The camera as stages want it. Refuses a depth texture that cannot be read.
     StandardCamera standard_camera(const Camera& camera, const FrameOptions& options) const {
         if (!options.own_depth) return lineatlas::standard_camera(camera, scene_->bounds());
         DepthValues values =
@@ -421,7 +421,7 @@ class Renderer::State {
         return lineatlas::standard_camera(camera, scene_->bounds(), values);
     }
 
-    /// Throws UsageError for a mark of the pens that draw which has no picture.
+    /// Throws UsageError if a pen that draws has a mark without a picture.
     void check_marks(const Style& style) const {
         pens_.check(style.pen.mark);
         if (style.hidden) pens_.check(style.hidden_pen.mark);
@@ -430,7 +430,7 @@ class Renderer::State {
             if (rule.mark) pens_.check(*rule.mark);
     }
 
-    /// Throws UsageError and DeviceError for what can't be drawn, before anything is.
+    /// Throws UsageError or DeviceError for options that cannot be drawn, before anything is drawn.
     void check_frame(const Camera& camera, const FrameOptions& options) const {
         if (!scene_) throw UsageError("renderer: set_lines() must come before draw()");
         check(options);
@@ -491,9 +491,9 @@ class Renderer::State {
     PenTextures pens_;
     Backdrop backdrop_;
     std::unique_ptr<AtlasMethod> atlas_;
-    bool tried_ = false;               ///< the device, by compute::try_device()
+    bool tried_ = false;               ///< compute::try_device() has tried the device
     bool broken_ = false;              ///< a frame was begun and not ended
-    bool has_frame_ = false;           ///< the last frame is of the lines
+    bool has_frame_ = false;           ///< the last frame shows the current lines
     bool samples_drawn_ = false;       ///< the last frame left samples to read
     bool has_exact_intervals_ = false; ///< the last frame's intervals are those of `exact_`
     // Tables and shaders of the other methods are made when they are first used.
@@ -604,7 +604,7 @@ void Renderer::prepare(const FrameOptions& options, const Progress& progress) {
 FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& options,
                                 const TileTarget& target) {
     gl::StateGuard guard = state_->enter();
-    // What the program does between tiles it does in its own state.
+    // Callbacks of the program, between tiles, run in the program's own state.
     const auto between = [&guard](const auto& action) {
         return [&guard, &action](const PictureTile& tile) {
             guard.restore();

@@ -15,22 +15,23 @@ class RunPens {
   public:
     explicit RunPens(compute::Device& device) : tables_{OfSegments{device}, OfSegments{device}} {}
 
-    /// Before a frame: the pens for the lines of its scene.
+    /// Finds the pens for the lines of the frame's scene. Call before each frame.
     void prepare(const Frame& frame);
-    /// Of hidden lines, or of visible ones.
+    /// The pens of hidden lines, or of visible ones.
     const std::vector<Pen>& pens(bool hidden) const { return hidden ? pens_.hidden : pens_.pens; }
-    /// Whether there are several; else the style's own draws all.
+    /// Whether there are several pens. If not, the style's own pen draws all lines.
     bool several(bool hidden) const { return pens(hidden).size() > 1; }
     float widest(bool hidden) const { return lineatlas::widest(pens(hidden)); }
-    /// Other lines have come.
+    /// Call when the scene has other lines.
     void forget() {
         for (OfSegments& table : tables_) table.holds.reset();
     }
-    /// Of the scene's current chunk: a uint32 per segment of the line set, see compute::PensArgs.
+    /// The pens of the scene's current chunk: a uint32 per segment of the line set, see
+    /// compute::PensArgs.
     compute::Buffer& of_segments(const Frame& frame, bool hidden);
 
   private:
-    /// The pens of whose segments.
+    /// What the table was made from.
     struct Uploaded {
         const LineClasses* classes;
         std::uint32_t first, count;

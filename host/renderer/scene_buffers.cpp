@@ -20,7 +20,7 @@
 namespace lineatlas {
 namespace {
 
-// Below this a depth pass costs less than finding out what to leave out of it.
+// With fewer triangles a depth pass costs less than finding which clusters to leave out of it.
 constexpr std::uint32_t fewest_triangles_culled = 50'000;
 constexpr std::uint32_t cluster_size = LA_MESHLET_TRIANGLES;
 
@@ -220,7 +220,7 @@ void SceneBuffers::forget_jumps(std::span<const glm::mat4> transforms_from, cons
 void SceneBuffers::upload_colors(const LineSet& lines) {
     tables_.colors.reset();
     if (lines.triangle_color.empty()) return;
-    // The table's last entry stands for no colour; a pass knows it by its alpha.
+    // The table's last entry stands for no colour. Passes know it by its alpha of 0.
     std::vector<glm::u8vec4> table;
     table.reserve(lines.colors.size() + 1);
     for (const glm::vec3& color : lines.colors) {
@@ -282,7 +282,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
     const LineSet contours = download_contours(device(), tables_, triangle_count_);
     std::vector<LineTables::Chunk> chunks =
         upload_segments(stages.device(), download_segments(device(), tables_), &contours);
-    if (followed_ && chunks.size() == 1) { // lists of parts stand where they are
+    if (followed_ && chunks.size() == 1) { // lists of parts stay where they are
         chunks.front().end_offsets =
             copy(*tables_.chunks.front().end_offsets, compute::table::end_offsets);
         chunks.front().ends = copy(*tables_.chunks.front().ends, compute::table::ends);
@@ -306,7 +306,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
 gl::SegmentBuffers SceneBuffers::gl_segments() {
     if (!gl_segments_) {
         gl_segments_ = upload_gl(bytes_of(download_segments(device(), tables_)), purpose::spine);
-        // In the order that segments refer to; gl_indices_ may have another.
+        // These are in the order that segments refer to. gl_indices_ may have another order.
         gl_table_triangles_ = upload_gl(
             bytes_of(compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_)),
             purpose::spine);
@@ -321,7 +321,7 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
 }
 
 gl::LineBuffers SceneBuffers::gl_lines(LineKindMask kinds) {
-    kinds &= ~mask_of(LineKind::silhouette); // which edges those are changes from frame to frame
+    kinds &= ~mask_of(LineKind::silhouette); // silhouettes change from frame to frame
     if (!gl_lines_ || line_kinds_ != kinds) {
         std::vector<std::uint32_t> ends;
         for (const Segment& segment : download_segments(device(), tables_)) {

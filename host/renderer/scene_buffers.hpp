@@ -35,16 +35,16 @@ namespace lineatlas {
 /// whole paths. One chunk is the current one: table() is only that chunk's.
 class SceneBuffers {
   public:
-    /// Throws DeviceError when memory runs out, or where there is more than GL can count.
-    /// `parts`: whose lines these are, if they come and go.
+    /// Throws DeviceError when memory runs out, or where there is more than GL can count. `parts`:
+    /// the assembly that the lines are of, if its parts come and go.
     SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, const LineSet& lines,
                  const AssemblyState* parts = nullptr);
 
-    /// Takes over what has changed in the assembly, once move() is called. False where that needs
-    /// tables of another size, or these are of another scene: then nothing is changed.
+    /// Takes over changes of the assembly; they count once move() is called. Returns false, and
+    /// changes nothing, if that needs tables of another size or the tables are of another scene.
     bool update_parts(const AssemblyState& parts);
 
-    /// See Renderer. What they change is there after move().
+    /// See Renderer. The changes count once move() is called.
     void set_transforms(std::span<const glm::mat4> world_from_object);
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
     void set_hidden(std::span<const std::uint32_t> objects);
@@ -56,23 +56,23 @@ class SceneBuffers {
     void forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
                       float most_pixels, compute::Buffer& ranges);
 
-    /// What compute stages read.
+    /// The tables that compute stages read.
     struct Tables : LineTables {
         std::unique_ptr<compute::Buffer> clusters;
         std::unique_ptr<compute::Buffer> cluster_triangles{}; ///< from the first set_positions() on
         std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
-        std::unique_ptr<interop::SharedTable> drawn{};        ///< its vertices for GL
-        /// What the kernels of `depth` draw; null until first asked for.
+        std::unique_ptr<interop::SharedTable> drawn{};        ///< vertices of such a model, for GL
+        /// The tables that the kernels of `depth` draw from; null until first asked for.
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
-        /// What probes that know surfaces read; null until first asked for.
+        /// The tables that probes read if they know surfaces; null until first asked for.
         std::unique_ptr<compute::Buffer> numbers{}, patches{};
-        /// What the kernels of `fill` read; null until first asked for.
+        /// The table that the kernels of `fill` read; null until first asked for.
         std::unique_ptr<compute::Buffer> colors{};
     };
     const Tables& tables() const { return tables_; }
-    /// The same on another device, from the memory of this one.
+    /// Copies the tables to another device, from the memory of this one.
     Tables copy_tables(compute::Stages& stages, interop::Sharing& sharing);
-    /// From now on these.
+    /// Uses these tables from the call on.
     void use(compute::Stages& stages, interop::Sharing& sharing, Tables tables) noexcept {
         stages_ = &stages;
         sharing_ = &sharing;
@@ -82,12 +82,13 @@ class SceneBuffers {
         moved_ = tables_.moving != nullptr;
     }
 
-    /// As the line set has them; of the current chunk.
+    /// The segments of the current chunk in the order of the line set.
     compute::SegmentTable candidate_table() const { return placed().chunk(chunk_); }
-    /// As the current frame draws them: in the order that was set last since select().
+    /// The segments of the current chunk in the order that was set last since select(): that of the
+    /// current frame.
     compute::SegmentTable table() const { return ordered_ ? *ordered_ : candidate_table(); }
     void set_order(const compute::SegmentTable& ordered) { ordered_.emplace(ordered); }
-    /// Where they stand now, for what looks at them beside a frame.
+    /// The lines where they stand, for picking and other reads beside a frame.
     PlacedLines placed() const {
         return {tables_, tables_.moving ? tables_.moving->vertices() : *tables_.vertices,
                 motion_.vertex_count(), triangle_count_,
@@ -98,48 +99,48 @@ class SceneBuffers {
         chunk_ = chunk;
         ordered_.reset();
     }
-    /// In the whole segment table.
+    /// The first segment of the current chunk in the whole segment table.
     std::uint32_t first_segment() const { return chunk().range.first; }
-    /// For drawing: the triangles in an order of their own.
+    /// The triangles for drawing, in an order of their own.
     gl::TriangleBuffers gl_triangles();
     /// In the order of gl_triangles().
     const gl::TriangleColors& gl_colors() const { return colors_; }
-    /// The same for kernels: FillArgs::colors; null for a model without colours.
+    /// The colours for kernels (FillArgs::colors); null for a model without colours.
     compute::Buffer* colors();
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
-    /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up.
-    /// Their boxes are of the device's only: see boxes().
+    /// Pieces of gl_triangles(); none for a small model, which is not worth cutting up. Only the
+    /// device has boxes that are up to date, see boxes().
     std::span<const Cluster> clusters() const {
         return is_cut_up() ? std::span<const Cluster>{clusters_} : std::span<const Cluster>{};
     }
-    /// The same of a model of any size.
+    /// Pieces of gl_triangles(), for a model of any size.
     std::span<const Cluster> all_clusters() const { return clusters_; }
     /// all_clusters() as the kernels of `depth` draw them.
     compute::MeshletTables meshlets();
-    /// What is known of triangles as surfaces.
+    /// What probes know of triangles as surfaces.
     struct Surfaces {
         compute::Buffer& numbers; ///< ProjectClipArgs::numbers
         compute::Buffer& patches; ///< SurfaceTables::patches
     };
     Surfaces surfaces();
-    /// The same for GL: uint32 each.
+    /// The surfaces for GL: a uint32 per triangle in each buffer.
     struct GlSurfaces {
         GLuint numbers, patches;
     };
     GlSurfaces gl_surfaces();
-    /// clusters() with boxes as of now; waits for the device after a motion.
+    /// clusters() with boxes that are up to date. Waits for the device after a motion.
     std::span<const Cluster> boxes();
     compute::Buffer& cluster_buffer() const {
         return tables_.moving ? tables_.moving->clusters() : *tables_.clusters;
     }
-    /// What rules for pens tell lines apart by.
+    /// The classes by which rules for pens tell lines apart.
     const LineClasses& classes() const { return classes_; }
     const Bounds& bounds() const { return motion_.bounds(); }
-    /// Of the model as it was made: a measure that stays.
+    /// The diagonal of the model as it was made. Motion does not change it.
     float diagonal() const { return diagonal_; }
-    float contact() const { return contact_; } ///< contact_of() it
+    float contact() const { return contact_; } ///< contact_of() the model
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t segment_count() const { return tables_.segment_count(); }
     std::uint32_t most_elements() const {
@@ -147,7 +148,7 @@ class SceneBuffers {
     }
 
   private:
-    // Of parts: host/renderer/scene_parts.cpp.
+    // For parts, in host/renderer/scene_parts.cpp.
     bool has_rooms_of(const AssemblyState& parts) const;
     void follow(const AssemblyState& parts);
     void update_part(const AssemblyState& parts, const AssemblyState::Change& change);
@@ -161,12 +162,12 @@ class SceneBuffers {
     /// In the order of gl_triangles().
     std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
-    /// Where vertices are now, for kernels and for GL, which read them at the same time.
+    /// Current places of vertices, for kernels and for GL, which read them at the same time.
     struct Moving {
         std::unique_ptr<MovingTables> moving;
         std::unique_ptr<interop::SharedTable> drawn;
     };
-    /// None if they are there already.
+    /// Makes the tables of motion; nothing if they exist.
     std::optional<Moving> make_moving_once() const;
     void start_moving(std::optional<Moving> made);
     Moving make_moving(compute::Stages& stages, interop::Sharing& sharing) const;
@@ -184,10 +185,10 @@ class SceneBuffers {
     LineClasses classes_;
     float diagonal_, contact_;
     bool moved_ = false; ///< since the last move()
-    /// Of parts: what of the assembly is here.
+    /// The state of the assembly that the tables hold.
     struct Followed {
         std::uint64_t layout;
-        std::size_t changes;     ///< that were taken over
+        std::size_t changes;     ///< number of changes that were taken over
         std::size_t object_room; ///< see AssemblyState
     };
     std::optional<Followed> followed_;
@@ -195,15 +196,15 @@ class SceneBuffers {
     bool boxes_are_old_ = false; ///< in `clusters_`
     ContourNormals normals_;     ///< of contours
     std::vector<std::uint32_t> cluster_objects_;
-    std::vector<std::uint32_t> triangle_order_; ///< where each of gl_triangles() stands among the
-                                                ///< line set's
+    std::vector<std::uint32_t> triangle_order_; ///< place of each of gl_triangles() among the line
+                                                ///< set's triangles
     gl::Buffer gl_vertices_, gl_indices_;     ///< made when first asked for: kernels have their own
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;
-    // What only the methods besides the atlas need; made when first asked for.
+    // Buffers that only methods besides the atlas need, made when first asked for.
     gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
     gl::Buffer gl_numbers_, gl_patches_; ///< made when first asked for
-    LineKindMask line_kinds_ = 0;        ///< that `gl_lines_` holds
+    LineKindMask line_kinds_ = 0;        ///< the kinds that `gl_lines_` holds
     std::uint32_t line_count_ = 0;
     std::uint32_t triangle_count_;
 };

@@ -29,8 +29,8 @@ std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uin
     return std::span{table}.subspan(first, count);
 }
 
-/// Where candidates meet that are edges, as LineTables::Chunk has it for the part's rooms, whose
-/// lists begin at twice its first candidate. There is one vertex more than the part has.
+/// Where those candidates of a part meet that are edges, in the form of LineTables::Chunk. Lists of
+/// the part's rooms begin at twice its first candidate. There is one more vertex than the part has.
 EdgeEnds ends_of(const PartRooms& rooms, const LineSet& part) {
     const Contours& contours = part.contours;
     const std::span kept = std::span{part.segments}.first(part.segments.size() - contours.replaced -
@@ -49,13 +49,13 @@ EdgeEnds ends_of(const PartRooms& rooms, const LineSet& part) {
 
 } // namespace
 
-/// Whether all segments of the parts are in one table, those for contours, too.
+/// Whether all segments of the parts are in one table, also those for contours.
 bool SceneBuffers::has_rooms_of(const AssemblyState& parts) const {
     return tables_.chunks.size() == 1 && segment_count() == parts.lines.segments.size();
 }
 
 void SceneBuffers::follow(const AssemblyState& parts) {
-    if (!has_rooms_of(parts)) return; // then they are made anew for every change
+    if (!has_rooms_of(parts)) return; // then tables are made anew for every change
     followed_ = {parts.layout, parts.changes.size(), parts.object_room};
     std::vector<std::uint32_t> offsets(parts.lines.vertices.size() + 1, 0);
     std::vector<std::uint32_t> ends(2 * std::size_t{parts.first_replaced - parts.first_candidate},
@@ -71,8 +71,7 @@ void SceneBuffers::follow(const AssemblyState& parts) {
     chunk.end_offsets =
         upload(device(), std::as_bytes(std::span{offsets}), compute::table::end_offsets);
     chunk.ends = upload(device(), std::as_bytes(std::span{ends}), compute::table::ends);
-    start_moving(
-        make_moving(*stages_, *sharing_)); // in GL, too, a part is where the device puts it
+    start_moving(make_moving(*stages_, *sharing_)); // GL too reads a part's places from the device
 }
 
 bool SceneBuffers::update_parts(const AssemblyState& parts) {
@@ -82,11 +81,11 @@ bool SceneBuffers::update_parts(const AssemblyState& parts) {
         update_part(parts, parts.changes[followed_->changes]);
     diagonal_ = glm::distance(parts.lines.bounds.min, parts.lines.bounds.max);
     upload_colors(parts.lines);
-    // What only other methods need is made anew when they ask for it.
+    // Buffers of other methods are made anew when the methods ask for them.
     for (gl::Buffer* buffer :
          {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_, &gl_patches_})
         *buffer = {};
-    normals_.forget(); // as soon as positions change again
+    normals_.forget(); // they are made when positions change again
     moved_ = true;
     return true;
 }
@@ -144,7 +143,7 @@ void SceneBuffers::upload_part_contours(const Contours& all, const PartRooms& ro
         for (la_uint& across : face.across)
             if (across != LA_NO_FACE) across += rooms.faces.first;
     }
-    // Where there is none, one whose corners are one and the same is never crossed.
+    // Room beyond the part's faces holds faces with three equal corners, which no contour crosses.
     corners.resize(rooms.faces.size, glm::uvec3{0});
     faces.resize(rooms.faces.size, {});
     std::vector<std::uint32_t> patches = contour_patches(part, part.segments);

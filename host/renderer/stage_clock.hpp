@@ -10,17 +10,18 @@
 
 namespace lineatlas {
 
-/// Runs the stages of a frame and takes their times: for a profile, or for itself with a wait after
-/// each stage, so that stages do not overlap. A hand-over of tables between GL and compute is a
-/// stage of its own, which interrupts the stage that asked for the tables.
+/// Runs the stages of a frame and takes their times, either for a profile or with a wait after each
+/// stage, so that stages do not overlap. A hand-over of tables between GL and compute is a stage of
+/// its own, which interrupts the stage that asked for the tables.
 class StageClock final : private interop::Sharing::Timer {
   public:
-    /// `recorder`: of a profiled frame, else null. One at a time for each `sharing`.
+    /// `recorder`: that of a profiled frame, else null. There may be one clock at a time for each
+    /// `sharing`.
     StageClock(interop::Sharing& sharing, bool measure, ProfileRecorder* recorder = nullptr)
         : sharing_(sharing), measure_(measure), recorder_(recorder) {
-        sharing_.gl_works(); // for the program, since the last frame
+        sharing_.gl_works(); // it may have worked for the program since the last frame
         sharing_.time_by(this);
-        if (measure_) wait(); // else the first stage gets what was there before
+        if (measure_) wait(); // else the first stage would be charged for earlier work
     }
     ~StageClock() { sharing_.time_by(nullptr); }
     StageClock(const StageClock&) = delete;
@@ -31,7 +32,7 @@ class StageClock final : private interop::Sharing::Timer {
     void operator()(const char* name, Action&& action) {
         run({ProfileTrack::host, name}, std::forward<Action>(action));
     }
-    /// A stage of GL's.
+    /// Runs `action` as a stage of GL.
     template <class Action>
     void gl(const char* name, Action&& action) {
         sharing_.gl_works();

@@ -14,7 +14,8 @@ namespace {
 // A first guess; a frame that needs more makes the table grow.
 constexpr std::uint32_t first_entry_capacity = 1U << 14U;
 
-// Fewer runs than one for so many pixels take GL less time than a pass over the picture.
+// If there is less than one run for so many pixels, GL draws the runs in less time than a pass over
+// the picture takes.
 constexpr std::uint64_t pixels_per_run = 128;
 
 /// Whether the picture has 8 bits per channel, as coverage has.
@@ -180,7 +181,7 @@ void StrokeCoverage::show(Frame& frame) {
     layers_.shown = shown_.gl();
     std::array<glm::vec4, gl::CoveragePass::most_layers> colors{};
     std::size_t count = 0;
-    for (const bool hidden : {true, false}) { // all hidden ones lie below all others
+    for (const bool hidden : {true, false}) { // all hidden lines lie below all visible ones
         if (hidden && !has_hidden_) continue;
         for (const Pen& pen : pens_->pens(hidden)) colors[count++] = glm::vec4{pen.color, 1};
     }

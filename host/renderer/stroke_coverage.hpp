@@ -22,32 +22,34 @@ class StrokeCoverage {
   public:
     explicit StrokeCoverage(const interop::Connection& connection);
 
-    /// Before all else: chooses the frame's form.
+    /// Chooses the frame's form. Call first.
     void begin_frame(Frame& frame, const RunPens& pens);
     /// Whether kernels draw the frame's strokes.
     bool draws() const { return draws_; }
 
-    /// Once it is known how many runs there are: few are left to GL, unless kernels were asked for.
-    /// Again where a table was too small for all of them.
+    /// Leaves few runs to GL, unless kernels were asked for. Call when the number of runs is known,
+    /// and again after a table was too small.
     void settle(std::uint64_t runs) { draws_ = can_draw_ && runs >= fewest_runs_; }
 
-    /// Finds where runs lie in the picture; waits. `half_width`: of their widest pen.
+    /// Finds where runs lie in the picture. Waits for the device. `half_width`: that of their
+    /// widest pen.
     void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
               float half_width);
-    /// Enlarges what was too small for that; true if the runs must be listed again.
+    /// Enlarges tables that were too small for list(). Returns true if the runs must be listed
+    /// again.
     bool grow();
-    /// Before the strokes of a picture, or of a tile of it.
+    /// Call before the strokes of a picture, or of a tile of it.
     void begin_drawing(Frame& frame);
-    /// Draws the runs that were listed, all pens' of hidden lines or of visible ones. `again`: over
-    /// those drawn before. `weights`: of `density`, or null.
+    /// Draws the listed runs of all pens, of hidden lines or of visible ones. `again`: draws over
+    /// runs drawn before. `weights`: those of `density`, or null.
     void draw(Frame& frame, bool hidden, compute::Buffer& runs, std::uint32_t run_count,
               compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends, bool again);
-    /// Puts all that was drawn over the frame's picture.
+    /// Lays everything drawn over the frame's picture.
     void show(Frame& frame);
 
   private:
-    /// Values along a mark that is even across; on the device, with the last before the first and
-    /// the first behind the last.
+    /// Values along a mark that is the same all across. On the device the last value also stands
+    /// before the first, and the first behind the last.
     struct Mark {
         compute::Table values;
         std::uint32_t length = 0;
@@ -68,7 +70,7 @@ class StrokeCoverage {
         Lists& own = lists(hidden);
         return {*own.ends, *own.entries, own.capacity};
     }
-    /// Layers before those of visible lines are hidden ones'.
+    /// The number of layers of hidden lines, which come before those of visible lines.
     std::uint32_t hidden_layers() const;
     const Mark& mark(const Pen& pen);
 

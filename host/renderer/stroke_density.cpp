@@ -1,4 +1,4 @@
-// What a StrokeStage does where lines are dense.
+// Density control of StrokeStage.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace lineatlas {
 namespace {
 
-/// The focus in pixels, of a point in the scene too: for density, which knows no depth.
+/// The focus in pixels, also if it is a point in the scene, because density knows no depth.
 glm::vec4 focus_on_screen(const Frame& frame) {
     const Focus& focus = frame.options.style.focus;
     const glm::vec2 size = frame.viewport();

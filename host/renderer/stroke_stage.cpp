@@ -113,7 +113,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
     frame.clock(stage, [&] { read_totals(visible_); });
-    // Of chunks it is not known yet how many runs they have in all.
+    // The number of runs of all chunks together is not known yet.
     if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
     if (has_hidden_) list(frame, true);
     list(frame, false);
@@ -185,15 +185,15 @@ void StrokeStage::list(Frame& frame, bool hidden) {
     });
 }
 
-/// After a guess just what a frame needs, which for a still picture is the last word; then more.
-/// The first frame's tables are as large as it needs: it may be the only one.
+/// Capacity for `needed` runs. The first frame with lines gets exactly that, because it may be the
+/// only one. Later frames get room to grow.
 std::uint32_t StrokeStage::grown_capacity(std::uint32_t needed) const {
     return is_first_ ? needed : compute::capacity_for<Run>(device_, needed);
 }
 
 bool StrokeStage::grow(RunTable& table) {
     if (table.totals.run_total <= table.capacity) return false;
-    table.runs.release(); // there may be no room for more beside it
+    table.runs.release(); // a larger table may not fit beside it
     table.capacity = grown_capacity(table.totals.run_total);
     table.runs.fit(std::size_t{table.capacity} * sizeof(Run));
     return true;
@@ -332,10 +332,11 @@ void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedTable& alpha) {
 void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha) {
     coverage_.settle(runs_to_draw());
     if (coverage_.draws()) return draw_by_kernels(frame, alpha);
-    for (const bool hidden : {true, false}) { // all hidden ones lie below all others
+    for (const bool hidden : {true, false}) { // all hidden lines lie below all visible ones
         if (hidden && !has_hidden_) continue;
         const auto pens = static_cast<std::uint32_t>(pens_.pens(hidden).size());
-        for (std::uint32_t pen = 0; pen < pens; ++pen) { // each of all chunks before the next
+        for (std::uint32_t pen = 0; pen < pens; ++pen) { // a pen draws the runs of all chunks
+                                                         // before the next pen does
             if (!chunks_kept_) draw(frame, alpha, hidden, pen);
             for (const Kept& kept : kept_) {
                 put_back(kept, hidden, alpha);

@@ -14,8 +14,8 @@
 
 namespace lineatlas {
 
-/// From the segment atlas to strokes on the picture: visible runs, what a style changes about them
-/// (§4.5), and drawing them. Its tables grow when a frame needs more.
+/// From the segment atlas to strokes on the picture: makes visible runs, changes them by the style
+/// (§4.5), and draws them. Its tables grow when a frame needs more.
 class StrokeStage {
   public:
     explicit StrokeStage(const interop::Connection& connection);
@@ -25,47 +25,49 @@ class StrokeStage {
         return frame.options.draw && frame.options.style.hidden;
     }
 
-    /// Other lines have come.
+    /// Call when the scene has other lines.
     void forget_lines() { pens_.forget(); }
-    /// Before the first make_runs() of a frame.
+    /// Call before the first make_runs() of a frame.
     void begin_frame(Frame& frame);
-    /// Whether it matters to what is drawn where along its path a run lies, or which lines are
-    /// hidden. After begin_frame().
+    /// Whether the drawing depends on where along its path a run lies, or on which lines are
+    /// hidden. Call after begin_frame().
     bool measures_lines(const Frame& frame) const;
-    /// Whether anything that it draws has a texture along its strokes: dashes, grain, dry ends.
+    /// Whether any pen that draws has a texture along its strokes: dashes, grain, dry ends.
     bool has_textures(const Frame& frame) const;
-    /// Whose coordinates silhouettes get in the current frame; null: those along their paths.
+    /// Sets the coordinates that silhouettes get in the current frame; null: those along their
+    /// paths.
     void carry(compute::CarriedCoordinates* carried) { carried_ = carried; }
-    /// Whether make_runs() has to know what is outline.
+    /// Whether make_runs() needs to know outlines.
     static bool wants_outlines(const Frame& frame) {
         return frame.options.draw && tells_outlines(frame.options.style);
     }
     /// Makes the runs, and waits for their totals. May change the visibility of samples (`filter`).
-    /// `spans`: what is visible, in place of samples; the atlas has none then. `outline`: what
-    /// wants_outlines() asks for, else null.
+    /// `spans`: visible spans in place of samples; then the atlas has no samples. `outline`: needed
+    /// if wants_outlines(), else null.
     void make_runs(Frame& frame, const compute::SegmentAtlas& input,
                    const compute::SpanTable* spans, const compute::OutlineTable* outline);
     /// Whether make_runs() changed the visibility of samples.
     bool changes_samples() const { return filters_; }
     /// Enlarges the tables that the totals exceed; true if the runs must be made again.
     bool grow();
-    /// Where segments come in chunks: what was made of the current one, and the first `alpha_bytes`
-    /// of its samples, are kept on the host until they are drawn.
+    /// Keeps the runs of the current chunk, and the first `alpha_bytes` of its samples, on the host
+    /// until they are drawn. Call if segments come in chunks.
     void keep(const Frame& frame, interop::SharedTable& alpha, std::size_t alpha_bytes);
     /// Draws the runs, or those of all chunks that were kept.
     void draw(Frame& frame, interop::SharedTable& alpha);
 
-    /// Of the last make_runs().
+    /// The samples of the last make_runs().
     std::uint32_t sample_total() const { return visible_.totals.sample_total; }
     std::uint32_t samples_of_frame() const { return kept_samples_ + unkept(sample_total()); }
     std::uint32_t runs_of_frame() const { return kept_runs_ + unkept(visible_.totals.run_total); }
     /// The visible runs of the last frame.
     std::vector<Run> read_runs();
-    /// What density control left of lines in the last frame; empty without it.
+    /// The weights that density control gave lines in the last frame; empty without density
+    /// control.
     std::vector<float> read_density();
 
   private:
-    /// Runs on both sides, and how many there are.
+    /// Runs that GL and compute share, and how many there are.
     struct RunTable {
         explicit RunTable(interop::Sharing& sharing)
             : runs(sharing, compute::table::runs), record(sharing, compute::table::records) {}
@@ -82,19 +84,20 @@ class StrokeStage {
         std::vector<std::byte> alpha;
     };
 
-    /// What `density` leaves of lines.
+    /// The tables of `density`.
     struct Thinning {
         explicit Thinning(interop::Sharing& sharing)
             : weights(sharing, compute::table::density_weights),
               grid(sharing.device(), compute::table::density_grid) {}
 
         bool on = false;                         ///< in the current frame
-        interop::SharedTable weights;            ///< 0 to 1, per bin and cell
-        compute::Table grid;                     ///< drawn length, likewise
+        interop::SharedTable weights;            ///< share of lines that is drawn, 0 to 1, per bin
+                                                 ///< and cell
+        compute::Table grid;                     ///< drawn length per bin and cell
         std::vector<std::uint32_t> drawn_before; ///< `grid` of the chunks that are kept
     };
     Thinning& thinning(bool hidden) { return thinning_[hidden ? 1 : 0]; }
-    /// In each table of `density`.
+    /// Values in each table of `density`.
     std::size_t density_values() const {
         return std::size_t{LA_DENSITY_BINS} * static_cast<std::size_t>(cells_.x * cells_.y);
     }
@@ -103,14 +106,14 @@ class StrokeStage {
     void draw(Frame& frame, interop::SharedTable& alpha, bool hidden, std::uint32_t pen);
     /// The compute form of draw().
     void draw_by_kernels(Frame& frame, interop::SharedTable& alpha);
-    /// Where the runs lie in the picture, for that.
+    /// Finds where the runs lie in the picture, for draw_by_kernels().
     void list(Frame& frame, bool hidden);
-    /// Of all pens, hidden ones too, once they are made.
+    /// The number of runs of all pens, hidden lines included, once they are made.
     std::uint64_t runs_to_draw();
     /// Puts runs and samples back where they were.
     void put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha);
     void prepare(const Frame& frame);
-    /// How many runs there are, and so what of the table means something; waits.
+    /// Reads how many runs of the table mean something. Waits for the device.
     void read_totals(RunTable& table);
     void make_table(RunTable& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
@@ -126,13 +129,13 @@ class StrokeStage {
     void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
     /// The runs of visible or hidden lines.
     RunTable& made(bool hidden) { return hidden ? hidden_ : visible_; }
-    /// The same by their pens, where there are several.
+    /// The runs divided by pens, if there are several pens.
     RunTable& penned(bool hidden) { return hidden ? penned_hidden_ : penned_; }
-    /// Those that are drawn.
+    /// The runs that are drawn.
     RunTable& drawn(bool hidden) { return pens_.several(hidden) ? penned(hidden) : made(hidden); }
-    /// Whether runs are told by their pens.
+    /// Whether runs are divided by pens.
     bool tells_pens(bool hidden) const { return pens_.several(hidden) && (!hidden || has_hidden_); }
-    /// Whether runs end where visibility does, some without samples.
+    /// Whether runs end exactly where visibility does. Some such runs have no samples.
     bool has_exact_ends(bool hidden) const { return by_spans_ || (filters_ && !hidden); }
     gl::StrokeStyle stroke_style(Frame& frame, const Pen& pen, bool hidden) const;
 
@@ -145,11 +148,11 @@ class StrokeStage {
     compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, by_spans_ = false;
-    // Before `filter`, on the device alone.
+    // The input of `filter`, on the device alone.
     compute::Table raw_runs_{device_, compute::table::raw_runs},
         raw_record_{device_, compute::table::records}, cuts_{device_, compute::table::halo_cuts};
     std::uint32_t raw_capacity_ = 0;
-    bool is_first_ = true;             ///< no frame has had a line
+    bool is_first_ = true;             ///< no frame has had a line yet
     std::array<Thinning, 2> thinning_; ///< of visible lines and of hidden ones
     glm::ivec2 cells_{0, 0};
     std::vector<Kept> kept_; ///< of the frame's chunks, if it is drawn

@@ -19,23 +19,25 @@ class SurfaceStage {
 
     /// For another line set.
     void set_scene() { planes_.release(); }
-    /// Before the depth of a frame, or of a tile of it, is drawn; size: texels of the depth buffer.
+    /// Call before the depth of a frame, or of a tile of it, is drawn. size: texels of the depth
+    /// buffer.
     void begin(Frame& frame, glm::ivec2 size);
     bool known() const { return known_; }
-    /// What `depth` writes to by kernels, and GL's passes by a copy; null if nobody asks.
+    /// The numbers of triangles, which kernels of `depth` write and GL passes copy; null if nobody
+    /// asks for them.
     interop::SharedTable* numbers() { return numbered_ ? &numbers_ : nullptr; }
     /// Computes the planes; seen: DepthArgs::seen, null for all clusters.
     void find_planes(Frame& frame, compute::Buffer* seen);
 
-    /// For kernels.
+    /// The surfaces for kernels.
     std::optional<compute::SurfaceTables> tables(Frame& frame);
-    /// For GL; numbers: a texture of them.
+    /// The surfaces for GL. numbers: the texture with the numbers of triangles.
     gl::SurfaceTextures textures(Frame& frame, GLuint numbers);
 
   private:
     compute::Stages& stages_;
-    bool numbered_ = false; ///< the current frame's texels
-    bool known_ = false;    ///< of the current frame, for probes
+    bool numbered_ = false; ///< the current frame's texels have numbers
+    bool known_ = false;    ///< probes of the current frame know surfaces
     SurfaceView view_{};
     interop::SharedTable numbers_, planes_;
     gl::TextureBuffer plane_texture_, patch_texture_;

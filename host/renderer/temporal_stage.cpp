@@ -5,7 +5,7 @@
 namespace lineatlas {
 namespace {
 
-// Faster motion doesn't sparkle: nobody follows a line through it.
+// In faster motion nobody follows a line, so sparkling is not seen.
 constexpr float slow_pixels = 4;
 
 } // namespace
@@ -15,7 +15,7 @@ void LastFrame::take(const Frame& frame) {
     probes = frame.options.probes;
     depth_scale = frame.depth_scale();
     step = frame.options.step;
-    transforms = frame.scene.motion().transforms(); // in the memory of those before
+    transforms = frame.scene.motion().transforms(); // reuses its memory
     shape_version = frame.scene.motion().shape_version();
 }
 

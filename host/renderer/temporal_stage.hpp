@@ -12,10 +12,10 @@ namespace lineatlas {
 
 /// What two consecutive frames must have in common for the second to use results of the first.
 struct LastFrame {
-    /// From now on `frame` is the last one.
+    /// Makes `frame` the last one.
     void take(const Frame& frame);
-    /// Pixels by which points of the model have typically moved since; none if `frame` has other
-    /// samples, or has moved so far that nobody follows a line.
+    /// Pixels by which points of the model have typically moved from the last frame to `frame`.
+    /// None if `frame` has other samples, or has moved so far that nobody follows a line.
     std::optional<float> motion_to(const Frame& frame) const;
 
     Camera camera{};
@@ -32,18 +32,18 @@ class TemporalStage {
   public:
     explicit TemporalStage(compute::Stages& stages) : stages_(stages), device_(stages.device()) {}
 
-    /// Whether frames have to do with those before them.
+    /// Whether frames are averaged with those before them.
     static bool wanted(const Frame& frame);
-    /// Gives up its tables: those of another line set, or of another atlas.
+    /// Gives up the tables, before another line set or another atlas.
     void release();
-    /// The next frame has nothing to go by.
+    /// Forgets the last frame: the next one is not averaged.
     void forget() { last_.reset(); }
 
-    /// Before the segments of a frame are found.
+    /// Call before the segments of a frame are found.
     void begin_frame(const Frame& frame);
-    /// LastFrame::motion_to() the current frame; none: it doesn't follow.
+    /// LastFrame::motion_to() the current frame; none if it does not follow the last one.
     std::optional<float> motion() const { return motion_; }
-    /// SilhouetteChains::follow(): null where the frame doesn't follow.
+    /// The argument of SilhouetteChains::follow(); null if the frame does not follow the last one.
     compute::Buffer* positions_before() const { return motion_ ? positions_.get() : nullptr; }
     /// Averages the samples of `atlas`, in the order of `chains`, and keeps them for the next
     /// frame.
@@ -52,14 +52,14 @@ class TemporalStage {
 
   private:
     void make_tables(const compute::SegmentTable& table, std::size_t atlas_bytes);
-    /// The frame has no silhouettes.
+    /// Empties the table of positions, for a frame without silhouettes.
     void forget_chains(const compute::SegmentTable& table);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     std::optional<LastFrame> last_;
     std::optional<float> motion_;
-    // What the last frame left:
+    // Tables of the last frame.
     compute::Table alpha_{device_, compute::table::alpha_before},
         offsets_{device_, compute::table::offsets_before},
         ranges_{device_, compute::table::ranges_before};

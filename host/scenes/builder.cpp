@@ -57,7 +57,7 @@ Group MeshBuilder::group(std::string object, std::string material, glm::vec3 col
 }
 
 Mesh MeshBuilder::take() {
-    if (m_last_object == 0) m_mesh.triangle_object.clear(); // all of it is one
+    if (m_last_object == 0) m_mesh.triangle_object.clear(); // the whole mesh is one object
     return std::move(m_mesh);
 }
 

@@ -43,13 +43,13 @@ glm::mat4 lay_flat();
 /// Maps the y axis onto the line from `from` to `to`, keeping lengths.
 glm::mat4 along(glm::vec3 from, glm::vec3 to);
 
-/// A number in [0, 1) that depends on the arguments only: variation that is the same everywhere
-/// (the distributions of <random> are not).
+/// A number in [0, 1) that depends only on the arguments. It is the same on all platforms, unlike
+/// the distributions of <random>.
 float hash01(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0);
 
 Outline rectangle(glm::vec2 lo, glm::vec2 hi);
 Outline circle(glm::vec2 centre, float radius, int segments, float phase = 0);
-/// Counter-clockwise, `segments` per corner.
+/// A rounded rectangle, counter-clockwise, with `segments` per corner.
 Outline rounded_rectangle(glm::vec2 lo, glm::vec2 hi, float radius, int segments);
 
 /// Triangles of a polygon with holes, as indices into outline followed by the holes in order. The
@@ -96,11 +96,12 @@ class MeshBuilder {
     void box(const glm::mat4& at, Group g, glm::vec3 lo, glm::vec3 hi, unsigned faces = all_faces);
     void open_quad(const glm::mat4& at, Group g, glm::vec3 a, glm::vec3 b, glm::vec3 c,
                    glm::vec3 d);
-    /// `outline` in the x-y plane, extruded from z0 to z1.
+    /// A prism of `outline` in the x-y plane, extruded from z0 to z1.
     void prism(const glm::mat4& at, Group g, const Outline& outline, float z0, float z1,
                std::span<const Outline> holes = {});
-    /// `profile` (radius, height), bottom to top for an outside surface, turned about the y axis.
-    /// A radius of 0 makes a tip. `staggered` turns every other ring by half a step.
+    /// A surface of `profile` (radius, height) turned about the y axis, from bottom to top for an
+    /// outside surface. A radius of 0 makes a tip. `staggered` turns every other ring by half a
+    /// step.
     void lathe(const glm::mat4& at, Group g, std::span<const glm::vec2> profile, int segments,
                bool staggered = false);
     /// A round bar with flat ends.
@@ -113,7 +114,7 @@ class MeshBuilder {
     /// A surface over [0, 1]^2; its front side is where du x dv points.
     void panel(const glm::mat4& at, Group g, int nu, int nv,
                const std::function<glm::vec3(float, float)>& surface);
-    /// The same with a group per row in v, for a material line between rows.
+    /// As panel(), with a group per row in v, for a material line between rows.
     void patch(const glm::mat4& at, int nu, int nv,
                const std::function<glm::vec3(float, float)>& surface,
                const std::function<Group(int)>& group_of_row);

@@ -21,7 +21,8 @@ glm::vec3 spline(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, float s) {
 std::function<View(float)> orbit(glm::vec3 target, float distance, float elevation, float start,
                                  float near, float far) {
     return [=](float t) {
-        const float turns = t - std::floor(t); // the end of the orbit is its start, to the last bit
+        // The end of the orbit equals its start, to the last bit.
+        const float turns = t - std::floor(t);
         const float angle = start + 2 * std::numbers::pi_v<float> * turns;
         const glm::vec3 direction{std::cos(elevation) * std::cos(angle), std::sin(elevation),
                                   std::cos(elevation) * std::sin(angle)};

@@ -34,7 +34,7 @@ class LoopFinder {
         }
     }
 
-    /// Places where a way ends.
+    /// The places at which a way ends.
     std::set<std::uint32_t> ends() const {
         std::set<std::uint32_t> found;
         for (const auto& [place, steps] : at_)
@@ -64,7 +64,8 @@ class LoopFinder {
         while (here != start) {
             loop.points.push_back(here);
             const std::uint32_t next = next_step(before, here);
-            if (next == none) break; // can't be: every place has an even number of steps
+            // This never happens, because every place has an even number of steps.
+            if (next == none) break;
             used_[next] = true;
             before = here;
             const std::uint32_t from = steps_[next].from;
@@ -75,7 +76,8 @@ class LoopFinder {
         return loop;
     }
 
-    /// On the way that it has, if that can be, and as far to the left as can be: ways that only
+    /// The step on from place `here`, to which the way came from `before`. Steps in their own
+    /// direction come first, and of these the one farthest to the left, so that ways that only
     /// touch in a corner stay apart.
     std::uint32_t next_step(std::uint32_t before, std::uint32_t here) const {
         std::uint32_t best = none;
@@ -103,9 +105,9 @@ class LoopFinder {
     std::map<std::uint32_t, std::vector<std::uint32_t>> at_; ///< steps per place
 };
 
-/// Steps between the same two places are one if their number is odd, and none if it is even: there
-/// the surface only touches the plane, with an edge. A surface of two sides, one upon the other,
-/// has every step in both directions.
+/// Keeps one of the steps between the same two places if their number is odd, and none if it is
+/// even. If it is even, an edge of the surface only touches the plane. A surface with a second side
+/// upon it has every step in both directions.
 std::vector<CutStep> single_steps(std::span<const CutStep> steps) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts;
     for (const CutStep& step : steps) ++counts[std::minmax(step.from, step.to)];
@@ -125,8 +127,8 @@ struct OpenPart {
     std::set<std::uint32_t> ends; ///< places
 };
 
-/// Files may name pieces of one surface as objects of their own: those whose ways end where others
-/// do are one part.
+/// Joins open parts whose ways end at the same places. Files may name pieces of one surface as
+/// objects of their own.
 void join_open_parts(std::vector<OpenPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::size_t k = i + 1; k < parts.size();) {
@@ -138,9 +140,9 @@ void join_open_parts(std::vector<OpenPart>& parts) {
             }
             std::ranges::copy(parts[k].steps, std::back_inserter(parts[i].steps));
             for (const std::uint32_t end : parts[k].ends)
-                if (!ends.insert(end).second) ends.erase(end); // goes on there
+                if (!ends.insert(end).second) ends.erase(end); // the way goes on there
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
-            k = i + 1; // those before may meet it now
+            k = i + 1; // parts before it may meet the joined part
         }
     }
 }
@@ -157,12 +159,13 @@ bool holds(const CutFace& face, glm::dvec2 at) {
            1;
 }
 
-/// Hollows hang together with nothing, and go round the other way.
+/// Gives hollows to the faces around them. A hollow is connected to nothing and goes round the
+/// other way.
 void adopt_hollows(std::vector<CutFace>& faces) {
     std::vector<double> areas;
     double sum = 0;
     for (const CutFace& face : faces) sum += areas.emplace_back(area_of(face));
-    const double sign = sum < 0 ? -1 : 1; // a model that is inside out, as some are
+    const double sign = sum < 0 ? -1 : 1; // -1 for a model that is inside out
     constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::vector<std::size_t> around(faces.size(), none);
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -183,7 +186,8 @@ void adopt_hollows(std::vector<CutFace>& faces) {
     faces = std::move(kept);
 }
 
-/// In how many others a loop lies. Those of one face do not cross, so any of its points says it.
+/// The number of other loops that a loop lies in. Loops of one face do not cross, so any point of
+/// the loop will do.
 std::size_t depth_of(const CutFace& face, std::size_t loop) {
     const glm::dvec2 at = 0.5 * (face.loops[loop].flat[0] + face.loops[loop].flat[1]);
     std::size_t depth = 0;

@@ -21,23 +21,23 @@ struct CutLoop {
 /// The face of one part where a plane cuts it, of outlines one within the other.
 struct CutFace {
     std::uint32_t part;
-    std::uint32_t triangle; ///< one beside it
+    std::uint32_t triangle; ///< one beside the face
     std::vector<CutLoop> loops;
 };
 
 struct CutFaces {
     std::vector<CutFace> closed;
-    std::vector<CutStep> open; ///< of parts whose cut does not close
+    std::vector<CutStep> open; ///< steps of parts whose cut does not close
     struct Gap {
         std::uint32_t part;
-        glm::vec3 at; ///< one of the ends
+        glm::vec3 at; ///< one of the ends of the gap
         std::size_t count;
     };
     std::vector<Gap> gaps; ///< per part
 };
 
-/// Joins the steps of a cut. A hollow that hangs together with nothing belongs to the part around
-/// it.
+/// Joins the steps of a cut to faces. A hollow that is connected to nothing belongs to the part
+/// around it.
 CutFaces find_faces(const PlaneCut& cut, const PlaneFrame& plane);
 
 /// The triangles of a face, towards the plane's normal.

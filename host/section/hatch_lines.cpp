@@ -10,8 +10,8 @@
 namespace lineatlas {
 namespace {
 
-constexpr double most_lines = 100000; ///< of a face: beyond that it is black
-/// Shorter ones, at corners, are specks. Share of the spacing.
+constexpr double most_lines = 100000; ///< most lines of a face; a face with more would be black
+/// The shortest line, as a share of the spacing. Shorter ones, at corners, would be specks.
 constexpr double shortest = 0.02;
 
 } // namespace
@@ -30,7 +30,7 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> hatch_lines(const CutFace& face, 
     }
     if (!((high - low) / spacing < most_lines))
         throw UsageError("hatching: its lines are too near to each other for the model's size");
-    // Lines of all faces are multiples of the spacing: they go on in each other.
+    // Lines of all faces lie at multiples of the spacing, so they continue each other.
     const auto first = static_cast<long long>(std::ceil(low / spacing));
     const auto last = static_cast<long long>(std::floor(high / spacing));
     std::vector<std::vector<double>> crossings(

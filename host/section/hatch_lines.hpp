@@ -12,7 +12,7 @@ namespace lineatlas {
 std::vector<std::pair<glm::dvec2, glm::dvec2>> hatch_lines(const CutFace& face, double spacing,
                                                            double angle);
 
-/// The angle for the part of this number: turned so that it differs from those before it.
+/// The hatching angle of a part, by its number. It differs from the angles of the parts before it.
 double hatch_angle(double first, std::size_t number);
 
 } // namespace lineatlas

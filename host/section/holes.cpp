@@ -34,8 +34,9 @@ std::size_t rightmost(const Ring& ring) {
         ring.begin());
 }
 
-/// A corner of the ring that can be seen from `from`, which lies within it (Eberly, "Triangulation
-/// by Ear Clipping"): that of the edge to the right of it, unless others stand in between.
+/// A corner of the ring that can be seen from `from`, which lies within the ring (Eberly,
+/// "Triangulation by Ear Clipping"). It is a corner of the edge to the right of `from`, unless
+/// other corners stand in between.
 std::size_t visible_corner(const Ring& ring, glm::dvec2 from) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t found = 0;
@@ -54,7 +55,7 @@ std::size_t visible_corner(const Ring& ring, glm::dvec2 from) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 at = ring[i].at;
         if (at.x < from.x || !in_triangle(at, from, hit, corner)) continue;
-        // Bridges before this one left corners at one place, of which one looks this way.
+        // Earlier bridges have left several corners at one place. One of them looks this way.
         if (!starts_inside(ring, i, from)) continue;
         const glm::dvec2 way = at - from;
         const double length = glm::length(way);
@@ -70,7 +71,8 @@ std::size_t visible_corner(const Ring& ring, glm::dvec2 from) {
 } // namespace
 
 Ring bridged(Ring outline, std::vector<Ring> holes) {
-    // From the right: a bridge then meets the outline, or a hole that is joined already.
+    // Holes are joined from the right, so each bridge meets the outline or a hole that is already
+    // joined.
     std::ranges::sort(holes, std::ranges::greater{},
                       [](const Ring& hole) { return hole[rightmost(hole)].at.x; });
     for (Ring& hole : holes) {

@@ -13,8 +13,8 @@ struct RingPoint {
 };
 using Ring = std::vector<RingPoint>;
 
-/// One ring around the area between an outline (counter-clockwise) and its holes (clockwise). Each
-/// hole is joined to it by a bridge that the ring runs along in both directions.
+/// One ring around the area between an outline (counter-clockwise) and its holes (clockwise). A
+/// bridge joins each hole to the ring, which runs along the bridge in both directions.
 Ring bridged(Ring outline, std::vector<Ring> holes);
 
 } // namespace lineatlas

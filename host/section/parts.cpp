@@ -11,7 +11,7 @@
 namespace lineatlas {
 namespace {
 
-/// Of three numbers.
+/// A hash of three numbers.
 struct TripleHash {
     std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const {
         std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15ULL;
@@ -20,7 +20,7 @@ struct TripleHash {
     }
 };
 
-/// The object of each triangle, as the number of a name; 0: it has none.
+/// The object of each triangle, as the number of its name; 0: no object.
 std::vector<std::uint32_t> objects_of(const Mesh& mesh) {
     std::map<std::string, std::uint32_t> numbers{{"", 0}};
     std::vector<std::uint32_t> of_group;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions
     PlaceGrid grid{positions, rounding};
     VertexSets sets{count};
     for (std::uint32_t i = 0; i < count; ++i) {
-        bool is_known = false; // exactly; it has met all others there
+        bool is_known = false; // a position exactly here is known, which has met all others
         grid.visit(positions[i], [&](std::uint32_t near) {
             sets.unite(near, i);
             return is_known = positions[near] == positions[i];
@@ -56,7 +56,7 @@ Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
     const std::vector<std::uint32_t> objects = objects_of(mesh);
     VertexSets sets{count};
-    // Objects that touch along an edge do not hang together there.
+    // Objects that touch along an edge are not connected there.
     std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TripleHash> triangle_at;
     triangle_at.reserve(2 * mesh.triangles.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -70,7 +70,7 @@ Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places) {
     }
     Parts parts;
     parts.of_triangle.resize(count);
-    std::map<std::uint32_t, std::uint32_t> looks; // of objects
+    std::map<std::uint32_t, std::uint32_t> looks; // per object
     std::vector<std::uint32_t> number(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t root = sets.find(i);

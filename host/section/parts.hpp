@@ -10,16 +10,17 @@ namespace lineatlas {
 
 /// The pieces of a mesh that are connected by edges, and the object of each.
 struct Parts {
-    std::vector<std::uint32_t> of_triangle; ///< its piece
-    std::vector<std::uint32_t> look;        ///< per piece: those of one look are hatched alike
-    std::vector<std::string> name;          ///< per piece: its object's; empty where none has one
+    std::vector<std::uint32_t> of_triangle; ///< the piece of each triangle
+    std::vector<std::uint32_t> look;        ///< per piece; pieces of one look are hatched alike
+    std::vector<std::string> name;          ///< per piece the name of its object; empty if no
+                                            ///< object has a name
 };
 
-/// `places`: per position a number of its place (place_numbers).
+/// Finds the pieces of a mesh. `places`: per position the number of its place (place_numbers).
 Parts find_parts(const Mesh& mesh, const std::vector<std::uint32_t>& places);
 
-/// Positions at one place (see PlaceGrid) have one number, that of the first of them; so have those
-/// that are joined by others between them.
+/// The number of each position's place: the index of the first position there. Positions are at one
+/// place if they are near each other (see PlaceGrid), or connected by other positions that are.
 std::vector<std::uint32_t> place_numbers(const std::vector<glm::vec3>& positions, double rounding);
 
 } // namespace lineatlas

@@ -10,7 +10,7 @@
 namespace lineatlas {
 
 /// Finds positions that are at one place: nearer to each other than a rounding in each coordinate.
-/// Files write 0 and -3e-16.
+/// Files may write 0 once and -3e-16 the next time.
 class PlaceGrid {
   public:
     /// `positions` may grow, and must outlive it.
@@ -18,7 +18,7 @@ class PlaceGrid {
 
     void add(std::uint32_t index);
 
-    /// Calls `each` for those of them that are at this place, until it returns true.
+    /// Calls `each` for the positions at a place, until it returns true.
     template <class Each>
     void visit(glm::vec3 at, Each each) const {
         std::array<Cell, 8> near;
@@ -41,7 +41,8 @@ class PlaceGrid {
     bool is_at(std::uint32_t index, glm::dvec3 at) const;
 
     const std::vector<glm::vec3>& positions_;
-    double rounding_, width_; ///< of a cell: most positions lie far from its border, few share it
+    double rounding_, width_; ///< of a cell; most positions lie far from a cell's border, and few
+                              ///< share a cell
     std::unordered_multimap<Cell, std::uint32_t, Hash> cells_;
 };
 

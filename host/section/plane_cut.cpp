@@ -59,11 +59,11 @@ class PlaneCutter {
   private:
     bool is_beyond(std::uint32_t position) const { return distances_[position] >= 0; }
 
-    /// Of a triangle before or after the cut.
+    /// A corner of a triangle before or after the cut.
     struct Corner {
         std::uint32_t position = 0;
-        glm::vec3 normal{0};      ///< of Mesh::corner_normals
-        glm::dvec2 parameters{0}; ///< of Mesh::surfaces
+        glm::vec3 normal{0};      ///< from Mesh::corner_normals
+        glm::dvec2 parameters{0}; ///< from Mesh::surfaces
     };
 
     Corner corner(std::uint32_t triangle, int number) const {
@@ -92,12 +92,13 @@ class PlaneCutter {
             cut_.mesh.triangle_object.push_back(mesh_.triangle_object[triangle]);
     }
 
-    /// How far along an edge the plane is, from its end below.
+    /// The share of an edge between its end below the plane and the plane.
     double share(std::uint32_t below, std::uint32_t beyond) const {
         return distances_[below] / (distances_[below] - distances_[beyond]);
     }
 
-    /// Where an edge goes through the plane: one position for all triangles that share it.
+    /// The position where an edge goes through the plane, the same for all triangles that share the
+    /// edge.
     std::uint32_t cut_point(std::uint32_t below, std::uint32_t beyond) {
         below = places_[below];
         beyond = places_[beyond];
@@ -138,7 +139,8 @@ class PlaneCutter {
         std::array<Corner, 4> polygon{};
         std::size_t size = 0;
         std::uint32_t out = 0,
-                      in = 0; // where the way around it leaves what is kept, and comes back
+                      in = 0; // where the way around the triangle leaves the kept side, and where
+                              // it comes back
         for (int i = 0; i < 3; ++i) {
             const Corner p = corner(triangle, i), q = corner(triangle, (i + 1) % 3);
             const bool leaves = is_beyond(q.position);
@@ -162,7 +164,7 @@ class PlaneCutter {
             cut_.steps[other->second].two_sided = cut_.steps.back().two_sided = true;
     }
 
-    /// The same for triangles of the same corners, the same way round.
+    /// A key that is the same for triangles with the same corners in the same sense.
     using TriangleKey = std::array<std::uint32_t, 4>;
     static TriangleKey key_of(std::uint32_t part, glm::uvec3 corners) {
         while (corners.x > corners.y || corners.x > corners.z)

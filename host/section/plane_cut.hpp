@@ -9,14 +9,14 @@ namespace lineatlas {
 
 /// A step of the outline of a cut, where a plane goes through one triangle.
 struct CutStep {
-    std::uint32_t from, to; ///< positions, one for each place; what is solid lies to the left, seen
+    std::uint32_t from, to; ///< positions, one for each place; the solid lies to the left, seen
                             ///< against the normal
-    std::uint32_t part;     ///< of the triangle
-    std::uint32_t triangle; ///< of what is left
+    std::uint32_t part;     ///< the part of the triangle
+    std::uint32_t triangle; ///< in the mesh that is left
     bool two_sided = false; ///< the triangle stands there the other way round, too
 };
 
-/// What one plane leaves of a mesh, open where it cut.
+/// The part of a mesh that one plane leaves, open along the cut.
 struct PlaneCut {
     Mesh mesh;
     std::vector<std::uint32_t> part_of_triangle;
@@ -24,10 +24,11 @@ struct PlaneCut {
     bool misses = false; ///< all of the mesh lies on one side
 };
 
-/// Takes away what lies on the side that the plane's normal points to. Corners nearer to the plane
-/// than `rounding` lie on it, and count as beyond; those nearer to each other are at one place, and
-/// triangles use one position of it. So the cut of what is closed is closed: each edge is either
-/// cut for both of its triangles or for neither. What stands twice is cut once.
+/// Takes away the part of a mesh on the side that the plane's normal points to. Corners nearer to
+/// the plane than `rounding` lie on it and count as beyond. Corners nearer to each other than
+/// `rounding` are at one place, and all triangles use one position of it. So the cut of a closed
+/// mesh is closed: each edge is either cut for both of its triangles or for neither. Triangles that
+/// stand twice are cut once.
 PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
                       const PlaneFrame& plane, double rounding);
 

@@ -7,7 +7,7 @@ namespace lineatlas {
 PlaneFrame::PlaneFrame(glm::dvec3 point, glm::dvec3 direction)
     : origin(point), normal(glm::normalize(direction)) {
     const glm::dvec3 size = glm::abs(normal);
-    // The axis that stands up on paper: y, or z where that is what one looks along.
+    // The axis that stands up on paper: y, or -z if one looks along y.
     const glm::dvec3 up = size.y > 0.9 ? glm::dvec3{0, 0, -1} : glm::dvec3{0, 1, 0};
     u = glm::normalize(glm::cross(up, normal));
     v = glm::cross(normal, u);

@@ -16,8 +16,8 @@
 namespace lineatlas {
 namespace {
 
-/// Corners nearer to a plane than this share of the model's size lie on it, and those nearer to
-/// each other are at one place: floats are no finer.
+/// Rounding, as a share of the model's size. Corners nearer than this to a plane lie on it, and
+/// corners nearer than this to each other are at one place, because floats are no finer.
 constexpr double rounding = 1e-6;
 constexpr double usual_spacing = 1.0 / 40; ///< share of the cut's size
 
@@ -25,7 +25,8 @@ double diagonal_of(const Bounds& bounds) {
     return glm::distance(glm::dvec3{bounds.min}, glm::dvec3{bounds.max});
 }
 
-/// Where coordinates are large, so is their rounding.
+/// The size of the model, or its largest coordinate if that is larger, because large coordinates
+/// have a large rounding.
 double reach_of(const Bounds& bounds) {
     const glm::dvec3 far =
         glm::max(glm::abs(glm::dvec3{bounds.min}), glm::abs(glm::dvec3{bounds.max}));
@@ -47,7 +48,7 @@ void check(std::span<const SectionPlane> planes, const Hatching& hatching) {
         throw UsageError("hatching: spacing must be from 0 on, and spacing and angle finite");
 }
 
-/// The diagonal of the box on the plane around all of them.
+/// The diagonal of the box on the plane around all faces.
 double size_of(std::span<const CutFace> faces) {
     glm::dvec2 low{INFINITY}, high{-INFINITY};
     for (const CutFace& face : faces) {
@@ -118,7 +119,7 @@ class Sectioner {
 
     void name_kinds() { mesh_->polyline_kind.resize(mesh_->polylines.size(), PolylineKind::file); }
 
-    /// `triangle`: one of the part that the line belongs to.
+    /// Adds a line. `triangle`: one of the part that the line belongs to.
     void add_line(std::vector<std::uint32_t> line, PolylineKind kind, std::uint32_t triangle) {
         mesh_->polylines.push_back(std::move(line));
         mesh_->polyline_kind.push_back(kind);
@@ -126,7 +127,7 @@ class Sectioner {
             mesh_->polyline_object.push_back(mesh_->triangle_object[triangle]);
     }
 
-    /// `whole`: the size of the cut, of which the face is a part.
+    /// Adds the triangles and the hatching of a face. `whole`: the size of all of the cut.
     void add_face(const CutFace& face, const PlaneFrame& frame, double whole) {
         Mesh& mesh = *mesh_;
         for (const glm::uvec3 triangle : face_triangles(face, mesh.positions)) {
@@ -149,8 +150,8 @@ class Sectioner {
         const std::size_t number =
             numbers_.emplace(parts_.look[face.part], numbers_.size()).first->second;
         const double angle = hatch_angle(hatching_.angle, number);
-        // Small parts have nearer lines than large ones, but not as much nearer as they are
-        // smaller.
+        // Lines of small parts are closer than those of large parts, but by less than their sizes
+        // differ.
         const double usual = usual_spacing * std::sqrt(whole * size_of(std::span{&face, 1}));
         const double spacing = hatching_.spacing > 0 ? hatching_.spacing : usual;
         for (const auto& [from, to] : hatch_lines(face, spacing, angle)) {
@@ -161,7 +162,7 @@ class Sectioner {
         }
     }
 
-    /// Names the first: there may be hundreds.
+    /// Writes a note that names the first gap, because there may be hundreds.
     void note(const SectionPlane& plane, const std::vector<CutFaces::Gap>& gaps) {
         const CutFaces::Gap& gap = gaps.front();
         const std::string& part = parts_.name[gap.part];
@@ -178,8 +179,9 @@ class Sectioner {
     double rounding_; ///< in the model's unit
     Parts parts_;
     std::vector<std::uint32_t> part_of_triangle_;
-    std::map<std::uint32_t, std::size_t> numbers_; ///< of looks, in the order in which they are met
-    Mesh* mesh_ = nullptr;                         ///< what is being closed
+    std::map<std::uint32_t, std::size_t> numbers_; ///< numbers of looks, in the order in which they
+                                                   ///< are met
+    Mesh* mesh_ = nullptr;                         ///< the mesh that is being closed
     Section section_;
 };
 

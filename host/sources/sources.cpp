@@ -45,7 +45,7 @@ class SourceResolver {
         return says_lines_ ? line_directive(line, file) : std::string{};
     }
     std::string text_of(std::string_view name) const {
-        // What shaders share with kernels.
+        // Headers that shaders share with kernels.
         const bool shared = name.ends_with(".h") && &embedded_ != &embedded_kernels();
         if (shared) return SourceResolver{embedded_kernels(), kernel_folder, false}.text_of(name);
         if (folder_ != nullptr) {

@@ -12,7 +12,7 @@
 namespace lineatlas {
 namespace {
 
-// As in CSS; sepia has no colour there.
+// The colours of CSS, and sepia.
 constexpr std::array<std::pair<std::string_view, std::uint32_t>, 21> names{{
     {"black", 0x000000},  {"white", 0xFFFFFF},  {"grey", 0x808080},   {"gray", 0x808080},
     {"silver", 0xC0C0C0}, {"red", 0xFF0000},    {"maroon", 0x800000}, {"brown", 0xA52A2A},

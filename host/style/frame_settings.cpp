@@ -37,7 +37,7 @@ Option lines() {
             [](const FrameOptions& o) -> SettingValue {
                 return o.lines ? line_kinds_to_text(*o.lines) : std::string{automatic_lines};
             },
-            [](const FrameOptions&) { return true; }, // bits of no kind select none
+            [](const FrameOptions&) { return true; }, // bits that are no kind select nothing
             [](FrameOptions& o, const SettingValue& value) {
                 const auto* given = std::get_if<std::string>(&value);
                 const bool is_automatic = given != nullptr && *given == automatic_lines;
@@ -94,7 +94,7 @@ std::vector<Option> make_options() {
     return t;
 }
 
-/// The settings of a frame that are one of its options each.
+/// The settings of a frame that are one member of FrameOptions each.
 const std::vector<Option>& options_table() {
     static const std::vector<Option> table = make_options();
     return table;
@@ -112,7 +112,7 @@ FrameSetting in_rest(const Option& own) {
         own.names};
 }
 
-/// Of what follows from other settings while it is not chosen.
+/// A setting whose value follows from other settings unless it is chosen.
 template <class T>
 FrameSetting chosen(const Option& own, std::optional<T> FrameSettings::*choice,
                     T FrameOptions::*member) {

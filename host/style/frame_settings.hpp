@@ -17,7 +17,7 @@ namespace lineatlas {
 /// A word for how exactly a frame is computed.
 enum class Quality { low, high };
 
-/// What a quality stands for in a picture of pixels.
+/// The options that a quality stands for in a picture of pixels.
 struct Sampling {
     std::uint32_t probes; ///< FrameOptions::probes
     int depth_scale;      ///< FrameOptions::depth_scale
@@ -29,52 +29,52 @@ constexpr Sampling sampling_of(Quality quality) {
 
 inline constexpr std::array<std::uint32_t, 4> probe_counts{1, 4, 9, 16};
 
-/// How frames are drawn, as people choose it: what they leave open follows from the quality and
-/// from what the frame is for.
+/// How frames are drawn, as people choose it. Choices that they leave open follow from the quality
+/// and from the purpose of the frame.
 struct FrameSettings {
-    /// Nothing: exact; but atlas where it is asked for samples, and for pictures of a sequence.
+    /// Nothing: exact, or atlas if something asks for samples and for pictures of a sequence.
     std::optional<Method> method{};
     Quality quality = Quality::high;
     std::optional<std::uint32_t> probes{}; ///< nothing: the quality's
     std::optional<int> depth_scale{};      ///< nothing: the quality's
-    /// All else; its method, probes and depth_scale don't count.
+    /// All other options. Its method, probes and depth_scale do not count.
     FrameOptions rest{};
 
-    /// For a picture of pixels.
+    /// The options for a picture of pixels.
     FrameOptions for_pixels() const;
-    /// For pictures of pixels that are shown one after the other.
+    /// The options for pictures of pixels that are shown one after the other.
     FrameOptions for_sequence() const;
-    /// For intervals or paths of a picture of this size.
+    /// The options for intervals or paths of a picture of this size.
     FrameOptions for_paths(glm::ivec2 size) const;
 
   private:
-    /// Whether something is chosen that only samples have.
+    /// Whether an option is chosen that only samples have.
     bool asks_for_samples() const;
 };
 
-/// Paths end where the depth buffer has it: where pixels have more than one depth texel, paths get
-/// the finest there is, if no GL's limit is in the way of a picture of this size.
+/// The depth scale for paths, whose ends are those of the depth buffer. If pixels have more than
+/// one depth texel, paths get the finest scale that GL's limits allow for a picture of this size.
 int depth_scale_of_paths(int depth_scale, glm::ivec2 size);
 
 /// One member of FrameSettings.
 using FrameSetting = SettingOf<FrameSettings>;
 
-/// The one table of them, in the order in which people read it; without what only a program chooses
-/// that draws one frame after the other (FrameOptions::steady). Names of choices stand in the order
+/// The one table of frame settings, in the order for readers. It lacks FrameOptions::steady, which
+/// only programs choose that draw frames one after the other. Names of choices stand in the order
 /// of their enumerators.
 std::span<const FrameSetting> frame_settings();
 
-/// Throws UsageError with the nearest key.
+/// The setting with this key. Throws UsageError that names the nearest key.
 const FrameSetting& find_frame_setting(std::string_view key);
 
-/// Throws UsageError for the first member that none of the settings could be set to; the style is
-/// not looked at. Allocates nothing.
+/// Throws UsageError for the first member with a value that its setting does not allow. Ignores the
+/// style. Allocates nothing.
 void check_frame_options(const FrameOptions& options);
 
-/// As `--method` has it.
+/// The name of a method for `--method`.
 const std::string& name_of(Method method);
 
-/// All of them as a Markdown table; it stands in docs/output.md.
+/// All frame settings as the Markdown table of docs/output.md.
 std::string frame_settings_table();
 
 /// Kinds of line by name with commas between, as in "crease,silhouette"; nothing if there is no

@@ -8,8 +8,8 @@
 namespace lineatlas {
 namespace {
 
-/// The key of a member, as in "FrameOptions::depth_scale": its name with hyphens, or what stands
-/// here.
+/// The key of a member such as "FrameOptions::depth_scale": its name with hyphens, or another one
+/// from this table.
 std::optional<std::string> key_of(std::string_view member) {
     static const std::map<std::string_view, std::string_view> named{
         {"Density::limit", "density"},

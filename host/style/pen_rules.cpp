@@ -18,7 +18,8 @@ namespace {
 constexpr std::string_view factor_key = "width-factor";
 constexpr makers::Range factor_range{0.01F, 100};
 
-/// Calls `each(key, member of PenRule, member of Pen)` for all that a rule can say of a pen.
+/// Calls `each(key, member of PenRule, member of Pen)` for all members of a pen that a rule can
+/// change.
 template <class Each>
 void for_each_member(Each each) {
     each("pen", &PenRule::mark, &Pen::mark);

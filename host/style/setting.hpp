@@ -19,23 +19,24 @@ using SettingValue = std::variant<bool, double, std::string, std::vector<double>
 template <class Struct>
 struct SettingOf {
     std::string key;
-    std::string values; ///< what there is, to follow "must be"
+    std::string values; ///< the allowed values, to follow "must be"
     std::string help;   ///< one line
     bool flag;          ///< true or false
     std::function<SettingValue(const Struct&)> get;
-    /// Whether the member is what it must be, as a program may have set it to anything.
+    /// Whether the member has an allowed value. A program may have set it to any.
     std::function<bool(const Struct&)> holds;
-    /// False for a value of another type or out of range; the struct is then unchanged.
+    /// Sets the member. Returns false, and changes nothing, for a value of another type or out of
+    /// range.
     std::function<bool(Struct&, const SettingValue&)> set;
-    std::vector<std::string> names{}; ///< where there is a choice of words
+    std::vector<std::string> names{}; ///< the words to choose from, if any
     bool is_mark = false;             ///< may be the name of an image file
 };
 
-/// That `value` is not what `called` must be: `values`, perhaps one of `names`.
+/// An error that says that `value` is not what `called` must be: `values`, perhaps one of `names`.
 UsageError wrong_value(std::string_view called, std::string_view values,
                        const std::vector<std::string>& names, const SettingValue& value);
 
-/// Throws UsageError that starts with `called`: what the user wrote for the key.
+/// Sets a value. Throws UsageError that starts with `called`, which is the user's text for the key.
 template <class Struct>
 void set_value(Struct& object, const SettingOf<Struct>& setting, const SettingValue& value,
                std::string_view called) {
@@ -43,15 +44,16 @@ void set_value(Struct& object, const SettingOf<Struct>& setting, const SettingVa
         throw wrong_value(called, setting.values, setting.names, value);
 }
 
-/// Throws UsageError, in the same words, for a member that is not what it must be. `of` stands
-/// before the key.
+/// Throws UsageError, in the same words, for a member without an allowed value. `of`: text before
+/// the key.
 template <class Struct>
 void check_member(const Struct& object, const SettingOf<Struct>& setting, std::string_view of) {
     if (!setting.holds(object))
         throw wrong_value(std::string{of} + setting.key, setting.values, {}, setting.get(object));
 }
 
-/// That no setting has this key: the nearest of `keys`, or else `listed_by`, which lists them.
+/// An error that says that no setting has this key. It names the nearest of `keys`, or else
+/// `listed_by`, the command that lists them.
 UsageError wrong_key(std::string_view key, const std::vector<std::string>& keys,
                      std::string_view listed_by);
 
@@ -70,10 +72,10 @@ const SettingOf<Struct>& find_setting(std::span<const SettingOf<Struct>> table,
 /// "true", "2", "1,0.5" or any other word; brackets and quotes as in TOML are taken too.
 SettingValue value_from_text(std::string_view text);
 
-/// As TOML has it.
+/// The value as TOML.
 std::string value_to_toml(const SettingValue& value);
 
-/// A row of a Markdown table of settings, and what stands above the rows.
+/// The head of a Markdown table of settings, and a row of it.
 inline constexpr const char* settings_table_head =
     "| key | what it does | default | must be |\n|---|---|---|---|\n";
 std::string settings_table_row(std::string_view key, std::string_view help,
@@ -90,8 +92,7 @@ std::string markdown_table(std::span<const SettingOf<Struct>> table, const Struc
     return text;
 }
 
-/// The member of `known` that `word` may have been meant to be, as `; did you mean "..."?`; empty
-/// if none is near.
+/// `; did you mean "..."?` with the element of `known` nearest to `word`; empty if none is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 } // namespace lineatlas

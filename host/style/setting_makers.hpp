@@ -19,13 +19,14 @@
 #include "lineatlas/style.hpp"
 #include "setting.hpp"
 
-// One maker of settings for each type of member, of a style unless it says otherwise.
+// A maker of settings for each type of member. Members are those of a style unless a maker says
+// otherwise.
 namespace lineatlas::makers {
 
 struct Range {
     float least, most;
-    bool above = false;   ///< the least value itself is out
-    bool or_zero = false; ///< 0 is in, too
+    bool above = false;   ///< the least value itself is not allowed
+    bool or_zero = false; ///< 0 is allowed too
     bool contains(double value) const {
         if (or_zero && value == 0) return true;
         return (above ? value > least : value >= least) && value <= most;
@@ -59,7 +60,7 @@ SettingOf<Struct> number(std::string key, Member member, Range range, std::strin
             }};
 }
 
-/// Pixels: a number of them, or a length on paper, of which 96 are an inch.
+/// Pixels from a number, or from a length on paper with 96 pixels to an inch.
 inline std::optional<double> pixels_of(const SettingValue& value) {
     if (const double* pixels = std::get_if<double>(&value)) return *pixels;
     const auto* text = std::get_if<std::string>(&value);
@@ -130,7 +131,7 @@ SettingOf<Struct> choice(std::string key, Member member, std::vector<std::string
             [member, names](const Struct& object) -> SettingValue {
                 const auto number = static_cast<std::size_t>(member(object));
                 if (number < names.size()) return names[number];
-                return static_cast<double>(member(object)); // no enumerator
+                return static_cast<double>(member(object)); // the value is no enumerator
             },
             [member, count = names.size()](const Struct& object) {
                 return static_cast<std::size_t>(member(object)) < count;

@@ -107,7 +107,7 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
     if (known.empty()) return {};
     const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
     const std::string& nearest = *std::ranges::min_element(known, {}, distance);
-    // Farther than that it is another word.
+    // A word farther away is another word.
     if (distance(nearest) > std::max<std::size_t>(2, nearest.size() / 2)) return {};
     return fmt::format("; did you mean \"{}\"?", nearest);
 }

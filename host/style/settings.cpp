@@ -77,7 +77,7 @@ Setting density_priority() {
         }};
 }
 
-/// A LineKindMask.
+/// A setting whose member is a LineKindMask.
 Setting more_lines() {
     constexpr std::string_view none = "none";
     return {"more-lines",

@@ -12,17 +12,17 @@ namespace lineatlas {
 /// One member of Style.
 using Setting = SettingOf<Style>;
 
-/// The one table of them, in the order in which people read it.
+/// The one table of style settings, in the order for readers.
 std::span<const Setting> settings();
 
-/// Throws UsageError with the nearest key.
+/// The setting with this key. Throws UsageError that names the nearest key.
 const Setting& find_setting(std::string_view key);
 
-/// Throws UsageError for the first member that is not what its setting may be, of the style or of
-/// what a rule for pens makes of its pen. Allocates nothing for a style without rules.
+/// Throws UsageError for the first member of the style, or of a pen that a rule makes, with a value
+/// that its setting does not allow. Allocates nothing for a style without rules.
 void check_style(const Style& style);
 
-/// All settings as a Markdown table; it stands in docs/styles.md.
+/// All style settings as the Markdown table of docs/styles.md.
 std::string settings_table();
 
 } // namespace lineatlas

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 /// A style file before it is parsed.
 struct StyleText {
     std::string name;
-    std::string place; ///< for messages: the path in quotes, or which built-in style
+    std::string place; ///< for messages: the path in quotes, or the name of a built-in style
     fs::path path;     ///< empty for a built-in one
     std::string text;
 };
@@ -46,7 +46,7 @@ StyleText read_file(const fs::path& path) {
     constexpr std::uintmax_t most_bytes = 1 << 20;
     const std::uintmax_t size = fs::file_size(path, ignored);
     if (size > most_bytes) throw refuse("it is larger than 1 MiB, which no style is");
-    // No more than the size: what the system makes up as it is read may have no end.
+    // Reads no more than the size, because files that the system generates may be endless.
     std::string text(size, '\0');
     std::ifstream file{path, std::ios::binary};
     if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
@@ -69,7 +69,7 @@ std::vector<StyleText> built_in_styles() {
     return styles;
 }
 
-/// The styles that go by a name.
+/// The styles that have a name.
 std::vector<StyleText> shipped_styles() {
     const char* folder = std::getenv("LINEATLAS_STYLE_DIR");
     if (folder == nullptr) return built_in_styles();
@@ -86,7 +86,7 @@ std::vector<StyleText> shipped_styles() {
     return styles;
 }
 
-/// `from`: the folder of the file that includes it. What holds neither '/' nor '.' is a name.
+/// `from`: the folder of the including file. A text without '/' and '.' is the name of a style.
 StyleText find_style(const std::string& name, const fs::path& from) {
     if (name.find_first_of("./") != std::string::npos) return read_file(from / name);
     const std::vector<StyleText> styles = shipped_styles();
@@ -101,7 +101,8 @@ StyleText find_style(const std::string& name, const fs::path& from) {
     throw UsageError(fmt::format("there is no style {}{}", in_quotes(name), advice));
 }
 
-/// The parser limits the depth of values, but not of keys (a.a.a.a = 1), and calls itself for each.
+/// Limits the depth of keys (a.a.a.a = 1). The parser limits only the depth of values, and recurses
+/// for each key.
 void check_lines(const StyleText& file) {
     constexpr std::size_t longest = 4096;
     std::size_t line = 1;
@@ -127,7 +128,7 @@ toml::table parse(const StyleText& file) {
     }
 }
 
-/// Unlike value<double>(), also for whole numbers that no double holds exactly.
+/// A number. Unlike value<double>() it accepts whole numbers that no double holds exactly.
 std::optional<double> number_of(const toml::node& node) {
     if (const toml::value<std::int64_t>* whole = node.as_integer()) {
         return static_cast<double>(whole->get());
@@ -155,7 +156,7 @@ namespace {
 
 class StyleLoader {
   public:
-    /// One that is built in, wherever styles go by names.
+    /// A built-in style, even if names stand for other styles.
     Style load_embedded(std::string_view name) {
         const std::vector<StyleText> styles = built_in_styles();
         apply(*std::ranges::find(styles, name, &StyleText::name));
@@ -167,7 +168,7 @@ class StyleLoader {
         return style_;
     }
 
-    /// A table of a file that holds more.
+    /// A style that is a table of a larger file.
     Style load_table(const toml::table& table, const fs::path& path) {
         apply({.name = {}, .place = in_quotes(path), .path = path, .text = {}}, table);
         return style_;
@@ -178,7 +179,7 @@ class StyleLoader {
 
     void apply(const StyleText& file, const toml::table& table) {
         open_.push_back(identity(file));
-        // What a file says itself counts more than what it includes, wherever it stands.
+        // A file's own keys count more than those of included files, wherever the include stands.
         if (const toml::node* include = table.get("include")) apply_includes(file, *include);
         for (const auto& [key, node] : table) apply_key(file, key, node);
         open_.pop_back();
@@ -204,8 +205,8 @@ class StyleLoader {
             } catch (const Error& error) {
                 throw refuse(node, fmt::format("include: {}", error.what()));
             }
-            // Files that include each other several times are read in exponential numbers, and each
-            // level takes stack.
+            // Files that include each other several times would be read exponentially often, and
+            // each level takes stack.
             if (open_.size() > most_levels) {
                 throw refuse(node, fmt::format("include \"{}\" is more than {} levels deep", *name,
                                                most_levels));
@@ -249,7 +250,7 @@ class StyleLoader {
         }
     }
 
-    /// Rules of a file come after those of what it includes; an empty list takes these away.
+    /// Rules of a file come after those of included files. An empty list removes these.
     void apply_pens(const StyleText& file, const toml::node& node) {
         const toml::array* rules = node.as_array();
         if (rules == nullptr) throw UsageError("pens must be tables: [[pens]]");

@@ -14,11 +14,11 @@ namespace lineatlas {
 /// there is one, the line.
 toml::table read_toml(const std::filesystem::path& file);
 
-/// Nothing for what no setting can be: tables, dates and mixed lists.
+/// The value of a node; nothing for tables, dates and mixed lists, which no setting can be.
 std::optional<SettingValue> value_of(const toml::node& node);
 
-/// The style that is a table of a file; image files of pens stand beside it. Throws FileError,
-/// naming file, line and key.
+/// The style in a table of a file. Image files of pens stand beside the file. Throws FileError that
+/// names file, line and key.
 Style style_of(const toml::table& table, const std::filesystem::path& file);
 
 } // namespace lineatlas

@@ -14,7 +14,8 @@
 namespace lineatlas {
 namespace {
 
-/// Sine below which directions are one, and share of a size below which places are.
+/// Directions whose sine is below this are equal, and so are places nearer than this share of a
+/// size.
 constexpr double straight = 1e-7;
 
 /// Places along one direction of a surface.
@@ -27,7 +28,7 @@ double size_of(const Row& row) {
     return size;
 }
 
-/// Whether all lie on the line through the first one and the last.
+/// Whether all places lie on the line through the first and the last one.
 bool is_straight(const Row& row) {
     const glm::dvec3 way = row.back() - row.front();
     const double length = glm::length(way);
@@ -68,7 +69,7 @@ Grid turned(const Grid& grid) {
     return result;
 }
 
-/// Of rows that are circles about one axis.
+/// The revolution whose circles are these rows, if they lie about one axis.
 std::optional<SurfaceShape> revolution_of(const Grid& rows) {
     std::optional<Circle> first;
     const double size = std::max(size_of(rows[0]), size_of(turned(rows)[0]));
@@ -114,7 +115,7 @@ std::optional<SurfaceShape> plane_of(const Grid& rows) {
     return shape;
 }
 
-/// From where to where a parameter goes.
+/// The range of a parameter.
 struct Range {
     double from, to;
 };
@@ -158,7 +159,7 @@ std::optional<double> distance_to_turned(const SurfaceShape& shape, glm::dvec3 p
     if (curve.kind == SurfaceCurve::Kind::line) {
         const double along = glm::dot(curve.u, shape.axis);
         if (along == 0) return std::abs(at.y - flat(curve.point).y);
-        // Where the line is as high as the place: a cone's other half is the same there.
+        // The point of the line at the height of the place. A cone's other half is the same there.
         const double t = (at.y - flat(curve.point).y) / along;
         const glm::dvec3 beside = curve.point + t * curve.u;
         return std::abs(at.x - distance_to_axis(shape, beside)) * std::abs(along) /

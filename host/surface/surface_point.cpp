@@ -16,7 +16,7 @@ struct Jet {
     Value at{0}, first{0}, second{0};
 };
 
-/// The basis functions of a B-spline that are not zero somewhere, with two derivatives.
+/// The basis functions of a B-spline that are not zero at a parameter, with two derivatives.
 class Basis {
   public:
     Basis(const SplineDirection& along, double t) : degree_(along.degree) {
@@ -39,12 +39,12 @@ class Basis {
     static constexpr std::size_t most = SplineDirection::most_degree + 1;
     using Values = std::array<double, most + 1>;
 
-    /// By the recursion of Cox and de Boor; derivatives are differences of functions of a lower
-    /// degree (de Boor, "A Practical Guide to Splines", 1978, chapter X).
+    /// Computes them by the recursion of Cox and de Boor. Derivatives are differences of functions
+    /// of a lower degree (de Boor, "A Practical Guide to Splines", 1978, chapter X).
     void fill(const std::vector<double>& knots, double t) {
         Values lower{}; // of degree k; entry j is of pole span - k + j
         lower[0] = 1;
-        std::array<Values, 2> kept{}; // of the last degree but one and but two
+        std::array<Values, 2> kept{}; // values of the two degrees before the last
         for (std::uint32_t k = 1; k <= degree_; ++k) {
             if (k == degree_) kept[0] = lower;
             if (k + 1 == degree_) kept[1] = lower;
@@ -64,7 +64,7 @@ class Basis {
             values_[2] = derivative(knots, derivative(knots, kept[1], degree_ - 1), degree_);
     }
 
-    /// Of functions of degree k, from those of degree k - 1 or their derivatives.
+    /// Derivatives of functions of degree k, from functions of degree k - 1 or their derivatives.
     Values derivative(const std::vector<double>& knots, const Values& lower,
                       std::uint32_t k) const {
         Values result{};

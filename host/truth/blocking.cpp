@@ -9,7 +9,7 @@
 namespace lineatlas {
 namespace {
 
-/// What two doubles of one depth may differ by.
+/// The difference that two doubles of one depth may have.
 constexpr double rounding = 1e-10;
 
 bool contains(const std::vector<std::uint32_t>& values, std::uint32_t value) {
@@ -34,7 +34,8 @@ Blocking::Blocking(const RayScene& scene, const PreciseCamera& projection, const
         const glm::uvec3 t = scene.lines().triangles[triangle];
         if (t.x == line.q || t.y == line.q || t.z == line.q) add(triangle);
     }
-    // Those of a part of an edge, and of an intersection, have not both of its ends as corners.
+    // Faces beside a part of an edge, or beside an intersection, do not have both of its ends as
+    // corners.
     for (const std::uint32_t face : {line.face_a, line.face_b})
         if (face != LA_NO_FACE) add(face & LA_FACE_INDEX);
 }
@@ -54,8 +55,8 @@ std::optional<double> Blocking::before(const Sight& sight, std::uint32_t triangl
     if (size == 0) return std::nullopt; // no area
     if (std::abs(glm::dot(normal, sight.spine - corners[0])) < contact_ * size) return std::nullopt;
 
-    // Rays find triangles in floats, so that the sight may just miss one that is seen edge on: the
-    // hit lies in its plane, but not beyond its corners.
+    // Rays find triangles in floats, so a sight may just miss a triangle that is seen edge on. Then
+    // the hit lies in its plane, but is kept between its corners.
     const glm::dvec3 way = sight.end - sight.origin;
     const double squared = glm::dot(way, way);
     double nearest = 1, farthest = 0;

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double wide_reach = 1.5;
 constexpr double narrow_reach = 0.5;
-constexpr float place_size = 12; ///< pixels; what lies nearer together is one place
+constexpr float place_size = 12; ///< pixels; wrong points nearer together are one place
 
 /// Wrong points that lie together.
 struct Place {
-    glm::vec2 at; ///< of the first of them
+    glm::vec2 at; ///< of the first point
     double pixels = 0;
 };
 

@@ -15,13 +15,13 @@ struct Certificate {
     std::optional<StrictErrors> strict{}; ///< of a drawing with tags
 };
 
-/// Of all that is drawn, without StrictErrors.
+/// Compares all drawn legs with the truth. The result has no StrictErrors.
 Certificate compare_lines(const EdgeTruth& truth, std::span<const DrawnPiece> legs);
 
-/// In one line, for a file's metadata.
+/// A certificate as one line, for a file's metadata.
 std::string certificate_line(const Certificate& certificate);
 
-/// A table, and the places where most is wrong: at most `places` of each kind, by the pixels of
+/// A certificate as a table, with the worst places: at most `places` of each kind, by the pixels of
 /// line that are wrong there.
 std::string certificate_table(const Certificate& certificate, std::size_t places);
 

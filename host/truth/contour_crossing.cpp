@@ -14,9 +14,10 @@
 namespace lineatlas {
 namespace {
 
-/// Cosines below this are those of a surface seen edge on; it counts as turned away.
+/// A surface whose cosine to the view is below this is seen edge on and counts as turned away.
 constexpr double edge_on = 1e-7;
-/// Where all three corners' own normals say more than this, their signs are the surface's.
+/// If the cosines of all three corners' normals are above this, their signs are those of the
+/// surface.
 constexpr double sure = 0.02;
 
 /// A triangle of Contours as one view sees it.
@@ -37,7 +38,7 @@ class SeenTriangle {
         }
     }
 
-    /// From here on places are those of the surface, where it is known.
+    /// Takes places from the surface from here on, if it is known.
     void ask_surface() {
         const KnownSurfaces& known = lines_.contours.surfaces;
         if (known.empty() || known.of_triangle[face_] == KnownSurfaces::none) return;
@@ -57,7 +58,7 @@ class SeenTriangle {
         shares[static_cast<int>(a)] += 1 - share;
         shares[static_cast<int>(b)] += share;
         const Place place = surface_->place(shares);
-        // A pole has a normal, too, though its parameters do not say so.
+        // A pole has a normal too, although its parameters do not give it.
         return place.normal != glm::dvec3{0} ? place : Place{place.at, flat.normal};
     }
 
@@ -110,7 +111,9 @@ contour_crossing(const LineSet& lines, const PreciseCamera& projection, std::uin
     std::array<double, 3> facing{};
     for (std::size_t k = 0; k < 3; ++k)
         if (k != tip) facing[k] = triangle.facing(triangle.place(k, k, 0));
-    if (tip < 3) facing[tip] = facing[(tip + 1) % 3]; // what crosses the side across runs into it
+    if (tip < 3)
+        facing[tip] = facing[(tip + 1) % 3]; // a silhouette across the opposite side runs
+                                             // into the tip
     std::array<SeenTriangle::Place, 2> ends{};
     std::size_t found = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -14,18 +14,19 @@ namespace lineatlas {
 /// the places of two of its sides.
 struct ContourCrossing {
     glm::dvec3 from, to;
-    bool on_known_surface; ///< else normals of corners say where it is
-    /// Towards the eye the surface shows its front: else it hides its own silhouette, if it is a
-    /// solid's.
+    bool on_known_surface; ///< false: normals of corners give its place
+    /// Whether the surface shows its front on the side of the eye. If not, a solid hides its own
+    /// silhouette.
     bool shows_front;
-    /// Where the surface is not, beside its silhouette: along its normal where it shows its front,
-    /// else against it. As long as 1.
+    /// The direction away from the surface beside its silhouette, of length 1: along the normal if
+    /// the surface shows its front, else against it.
     glm::dvec3 beyond;
 };
 
-/// How the truth finds silhouettes of smooth surfaces: by signs of n.v at the corners of triangles,
-/// on known surfaces those of the surface itself, and halving between them. Other triangles are
-/// taken for the surface that their corners' normals span. `face`: index into Contours::faces.
+/// Finds the silhouette of a smooth surface within one triangle, as the truth does: by the signs of
+/// n.v at the corners (on known surfaces those of the surface itself) and by halving between them.
+/// Other triangles stand for the surface that their corners' normals span. `face`: index into
+/// Contours::faces.
 std::optional<ContourCrossing>
 contour_crossing(const LineSet& lines, const PreciseCamera& projection, std::uint32_t face);
 

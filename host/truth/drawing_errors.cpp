@@ -40,7 +40,7 @@ double sum(const std::vector<WrongPoint>& points) {
     return result;
 }
 
-/// Between which shares of a piece it may be in the picture: {1, 0} where it is not.
+/// The shares of a piece between which it may be in the picture; {1, 0} if it is not.
 std::pair<double, double> shares_inside(const DrawnPiece& piece, glm::dvec2 size) {
     double first = 0, last = 1;
     for (int axis = 0; axis < 2; ++axis) {
@@ -59,7 +59,8 @@ std::vector<WrongPoint> sampled(const EdgeTruth& truth, std::span<const DrawnPie
     for (const DrawnPiece& piece : drawn) {
         const double length = glm::distance(piece.from, piece.to);
         const double steps = std::max(1.0, std::ceil(length / drawn_step));
-        // Of a line that goes far beyond the picture only what may be in it, and a step more.
+        // Of a line that goes far beyond the picture only the part that may be in it, and a step
+        // more, is taken.
         const auto [first, last] = shares_inside(piece, truth.size());
         const double begin = std::max(0.0, std::floor(first * steps) - 1);
         const double end = std::min(steps, std::ceil(last * steps) + 1);

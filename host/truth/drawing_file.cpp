@@ -36,14 +36,14 @@ bool is_picture(glm::dvec2 size) {
     return std::min(size.x, size.y) >= 1 && std::max(size.x, size.y) <= longest_picture_side;
 }
 
-/// What a drawing says of itself, which messages repeat, in one line.
+/// Text of a drawing as one line, for messages.
 std::string one_line(std::string text) {
     std::ranges::replace_if(
         text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
     return text;
 }
 
-/// "..., seen at 1024x768 pixels", as to_svg() says it; 0 where it does not.
+/// The size in "..., seen at 1024x768 pixels", which to_svg() writes; 0 without it.
 glm::ivec2 size_in(std::string_view description) {
     constexpr std::string_view before = "seen at ";
     glm::ivec2 size{0};
@@ -55,7 +55,7 @@ glm::ivec2 size_in(std::string_view description) {
     return size;
 }
 
-/// Throws FileError for a drawing whose lines no picture shows.
+/// Throws FileError for a drawing with lines far outside of any picture.
 void check_places(const DrawingFile& drawing, const std::filesystem::path& path) {
     const auto known = [](const auto& line) { return is_near(line.from) && is_near(line.to); };
     if (!std::ranges::all_of(drawing.legs, known) || !std::ranges::all_of(drawing.tags, known))
@@ -78,7 +78,7 @@ Sheet sheet_of(const DrawingFile& drawing, const std::filesystem::path& path) tr
     throw read_error(path, std::string{"of its page: "} + error.what());
 }
 
-/// The kind of line that rays are not asked about.
+/// The kind of line that rays do not check.
 constexpr std::string_view centre = line_kind_names[LA_KIND_CENTRE];
 
 DrawingFile of_svg(const SourceFile& file) {
@@ -111,14 +111,14 @@ glm::dvec2 point(const nlohmann::json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>()};
 }
 
-/// A whole number from 0 on, of which there is one; the library would make one of anything.
+/// A whole number from 0 on. The JSON library would convert other values.
 std::uint32_t index(const nlohmann::json& json) {
     if (!json.is_number_unsigned() || json.get<std::uint64_t>() > LineSource::none)
         throw std::out_of_range{"index"};
     return json.get<std::uint32_t>();
 }
 
-/// As to_json() writes it.
+/// A curve in the form that to_json() writes.
 VectorCurve curve_of(const nlohmann::json& json) {
     VectorCurve curve{.first = index(json.at("points").at(0)),
                       .last = index(json.at("points").at(1))};
@@ -210,7 +210,8 @@ DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {
     for (std::uint32_t i = 0; i < lines.sources.size(); ++i) {
         const auto [known, is_new] =
             segments.emplace(pair_key(lines.sources[i].from, lines.sources[i].to), i);
-        // Parts of one edge, or intersections, which have none.
+        // Several segments have these positions: parts of one edge, or intersections, which have no
+        // edge.
         if (!is_new) known->second = DrawnPiece::unknown;
     }
     DrawnLines drawn{.legs = drawing.legs, .pieces = {}};

@@ -21,20 +21,20 @@ struct DrawingFile {
     glm::ivec2 size{0, 0};           ///< of the picture in pixels
     std::string description{};       ///< the settings that made it
     std::vector<DrawnPiece> legs{};  ///< DrawnLines::legs
-    std::vector<TaggedPiece> tags{}; ///< of JSON; none if it was written without
+    std::vector<TaggedPiece> tags{}; ///< of JSON; empty if it was written without tags
 };
 
-/// Reads a drawing; lines on hidden layers are left out, and SVG on a page is scaled back to
-/// pixels. Throws FileError, also for a drawing of other programs.
+/// Reads a drawing without lines on hidden layers. SVG on a page is scaled back to pixels. Throws
+/// FileError, also for drawings of other programs.
 DrawingFile read_drawing(const std::filesystem::path& path);
 
-/// What an option of the command that a description stands for was given: "40" of "--fov 40" or
-/// "--fov=40". Nothing if it wasn't.
+/// The value of an option in the command of a description: "40" from "--fov 40" or "--fov=40".
+/// Nothing if it was not given.
 std::optional<std::string> described(std::string_view description, std::string_view option);
 /// The values of an option that may have been given several times.
 std::vector<std::string> all_described(std::string_view description, std::string_view option);
 
-/// The drawing's lines by segments of what it was drawn of.
+/// The drawing's lines by segments of the line set that it was drawn from.
 DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines);
 
 } // namespace lineatlas

@@ -11,11 +11,12 @@ namespace lineatlas {
 
 /// The visible lines of a drawing as paths, in pixels.
 struct DrawnLines {
-    std::vector<DrawnPiece> legs;   ///< all that is drawn, from point to point, of unknown segments
-    std::vector<DrawnPiece> pieces; ///< the same by segment; empty where the drawing has no tags
+    std::vector<DrawnPiece> legs; ///< all drawn lines, from point to point, of unknown segments
+    /// All drawn lines by segment; empty if the drawing has no tags.
+    std::vector<DrawnPiece> pieces;
 };
 
-/// Adds what is drawn from each point to the next.
+/// Adds the legs from each point to the next.
 inline void append_legs(std::span<const glm::dvec2> points, std::vector<DrawnPiece>& legs) {
     for (std::size_t i = 1; i < points.size(); ++i) legs.push_back({points[i - 1], points[i]});
 }

@@ -15,10 +15,10 @@
 namespace lineatlas {
 namespace {
 
-/// The cosine between sight and face below which single precision can't tell front from back.
+/// The cosine between sight and face below which single precision cannot tell front from back.
 constexpr double edge_on = 1e-4;
-/// How far beyond a smooth surface a ray passes that asks for its silhouette, in pixels: farther
-/// than its triangles reach beyond it.
+/// How far, in pixels, rays for a silhouette pass beyond a smooth surface. It is farther than
+/// triangles reach beyond their surface.
 constexpr double beyond = 0.1;
 
 bool is_candidate(const Segment& segment) {
@@ -35,8 +35,8 @@ double facing(const LineSet& lines, const PreciseCamera& projection, std::uint32
     return size > 0 ? glm::dot(normal, toward) / size : 0;
 }
 
-/// The sine between sight and surface in the middle of a segment, of the triangles about it along
-/// its path, as `project_clip` has it for ridges.
+/// The sine between sight and surface in the middle of a segment. The surface is a mean of
+/// triangles along the path, as in `project_clip` for ridges.
 double ridge_facing(const LineSet& lines, const PreciseCamera& projection, std::size_t index) {
     const Segment& segment = lines.segments[index];
     glm::dvec3 normal{0};
@@ -62,7 +62,8 @@ Drawn is_drawn(const LineSet& lines, const PreciseCamera& projection, std::size_
         const double above = ridge_facing(lines, projection, index) - double{LA_GRAZING};
         return above > edge_on ? Drawn::surely : above < -edge_on ? Drawn::never : Drawn::perhaps;
     }
-    // What hangs over its ends, and runs on where it is hidden, is no matter of visibility.
+    // Centre lines hang over their ends and go on where they are hidden, so visibility does not
+    // matter.
     if ((segment.tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE) return Drawn::never;
     if (!is_candidate(segment)) return Drawn::surely;
     const double a = facing(lines, projection, segment.face_a);
@@ -137,8 +138,8 @@ class Sampler {
         const std::vector<std::uint8_t> hidden = cast(middle, [&](auto sight, auto triangle) {
             return blocking.before(middle[sight], triangle).has_value();
         });
-        // Beside a visible line the surface that it is on goes on, and decides nothing: its smooth
-        // patches, and what is nearest to it.
+        // Beside a visible line its own surface goes on and does not decide: its smooth patches,
+        // and the nearest triangles.
         std::vector<std::uint32_t> rings;
         if (std::ranges::find(hidden, 0) != hidden.end()) rings = two_rings(scene_, segment_);
         const std::vector<std::uint8_t> beside = cast(sides, [&](auto sight, auto triangle) {
@@ -158,7 +159,8 @@ class Sampler {
         }
     }
 
-    /// Rays just beyond the surface decide, and a pixel to either side.
+    /// Adds points of a contour. Rays just beyond the surface decide, and rays a pixel to either
+    /// side.
     void append_contour(std::uint32_t face, std::vector<EdgePoint>& points) const {
         const LineSet& lines = scene_.lines();
         const auto crossing = contour_crossing(lines, projection_, face);
@@ -169,7 +171,8 @@ class Sampler {
         if (!(line.length() > 0)) return;
         const double side = line.is_left(crossing->beyond) ? 1 : -1;
         const Blocking blocking{scene_, projection_, options_.rule, index_};
-        // Triangles that are all that is known of a surface reach beyond it, by less than one.
+        // If only triangles of the surface are known, they reach beyond it, by less than a side of
+        // one.
         const double own_reach =
             crossing->on_known_surface ? 0 : longest_side(lines.triangles[segment_.face_a]);
         const auto count =
@@ -184,7 +187,7 @@ class Sampler {
                 const bool own = blocking.is_own_surface(triangle);
                 return !own || (sight < 2 && *before > own_reach);
             });
-            // On the inner side another surface decides, never the silhouette's own.
+            // On the inner side another surface decides, never that of the silhouette.
             Visibility found = blocked[0] != 0 && blocked[1] != 0    ? Visibility::hidden
                                : std::ranges::count(blocked, 0) == 3 ? Visibility::visible
                                                                      : Visibility::undecided;

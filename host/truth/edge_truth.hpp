@@ -17,19 +17,20 @@ namespace lineatlas {
 enum class Visibility : std::uint8_t {
     hidden,
     visible,
-    undecided, ///< a pixel to one side of the line the answer is another, or nobody knows
+    undecided, ///< the answer is another a pixel to one side of the line, or is not known
 };
 
 /// A place on a segment.
 struct EdgePoint {
     glm::vec2 at;          ///< pixels from the upper left corner of the picture, y down
-    glm::vec2 along;       ///< direction of the line there, as long as 1
-    float pixels;          ///< of the segment that it stands for, half before and half behind it
+    glm::vec2 along;       ///< direction of the line there, of length 1
+    float pixels;          ///< length of the segment that it stands for, half before and half
+                           ///< behind it
     std::uint32_t segment; ///< index into LineSet::segments
     float u;               ///< share of the part of the segment that is in the picture
     Visibility visibility;
-    /// Whether the segment is surely a line. Others, which are near the threshold between a
-    /// silhouette and none, may be drawn and may be missing.
+    /// Whether the segment is surely a line. Segments near the threshold of being a silhouette may
+    /// be drawn and may be missing.
     bool required;
 };
 
@@ -41,9 +42,10 @@ struct EdgeTruthOptions {
 
 class EdgeTruth {
   public:
-    /// Casts a ray from the eye to every point, and to those a pixel to its left and right; of
-    /// silhouettes of smooth surfaces a tenth of a pixel beyond the surface. The scene must outlive
-    /// it. The same for any number of threads.
+    /// Casts rays from the eye to every point, and to the places a pixel to its left and right. For
+    /// silhouettes of smooth surfaces the ray to the point passes a tenth of a pixel beyond the
+    /// surface. The scene must outlive this object. The result is the same for any number of
+    /// threads.
     EdgeTruth(const RayScene& scene, const Camera& camera, const EdgeTruthOptions& options = {});
 
     glm::ivec2 size() const { return size_; }
@@ -51,7 +53,7 @@ class EdgeTruth {
     std::span<const EdgePoint> points() const { return points_; } ///< by segment and along each
     std::span<const EdgePoint> points_of(std::uint32_t segment) const;
 
-    /// What is nearest to a hidden point of what hides it.
+    /// The nearest to a hidden point of the triangles that hide it.
     struct Blocker {
         double distance; ///< along the sight, in pixel widths at the point
         std::uint32_t triangle;

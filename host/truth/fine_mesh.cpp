@@ -20,9 +20,9 @@ namespace lineatlas {
 namespace {
 
 constexpr std::uint32_t most_parts = 10;
-constexpr double most_triangles = 250'000; ///< with surfaces, once they are divided
+constexpr double most_triangles = 250'000; ///< of triangles with surfaces after division
 
-/// The place of an ellipse that lies in the direction of a point beside it.
+/// The place of an ellipse in the direction of a point beside it.
 glm::dvec3 on_curve(const EdgeCurve& curve, const glm::dvec3& point) {
     const glm::dvec3 way = point - curve.center;
     const double angle = std::atan2(glm::dot(way, curve.v) / glm::dot(curve.v, curve.v),
@@ -60,11 +60,11 @@ class Divider {
     }
 
   private:
-    /// What an edge of triangles is divided into: the places within it, from the end with the lower
-    /// number of place_of_ on.
+    /// The places that divide an edge of triangles, from the end with the lower number in place_of_
+    /// on.
     struct Side {
-        std::uint32_t first; ///< of fine_.positions, and of sums_ beyond the mesh's own
-        std::uint32_t faces; ///< that its places are the mean of
+        std::uint32_t first; ///< in fine_.positions, and in sums_ beyond the mesh's own positions
+        std::uint32_t faces; ///< number of faces whose mean the places are
     };
 
     bool has_surface(std::uint32_t triangle) const {
@@ -78,7 +78,7 @@ class Divider {
                 {mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z]}};
     }
 
-    /// Equal positions are one place: the first of them.
+    /// Gives equal positions one place, the first of them.
     void find_places() {
         FirstSeen table{mesh_.positions.size()};
         place_of_.reserve(mesh_.positions.size());
@@ -118,8 +118,8 @@ class Divider {
         return sums_[side.first + i - 1 - mesh_.positions.size()];
     }
 
-    /// Where the file knows the edge's curve, on that. Cuts of sections stay straight from corner
-    /// to corner: between them surfaces leave the plane of the cut.
+    /// Puts places of sides on the edge's curve if the file knows it. Cuts of sections stay
+    /// straight between corners, because surfaces leave the plane of the cut there.
     void place_sides() {
         for (auto& [key, side] : sides_)
             for (std::uint32_t i = 1; i < parts_; ++i) sum(side, i) /= side.faces;

@@ -11,7 +11,7 @@ namespace lineatlas {
 namespace {
 
 constexpr double most_off = 0.002;
-constexpr double most_chords = 512; ///< of an arc all around; of a cubic an eighth of that
+constexpr double most_chords = 512; ///< of a full circle; a cubic has at most an eighth of that
 
 } // namespace
 
@@ -42,7 +42,7 @@ void append_cubic(glm::dvec2 from, const VectorCubic& cubic, glm::dvec2 to,
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec2> points,
                                   std::span<const VectorCurve> curves) {
     std::vector<glm::dvec2> result;
-    std::size_t done = 0; // points that are in it
+    std::size_t done = 0; // points done so far
     const auto add_through = [&](std::size_t last) {
         for (; done <= last; ++done) result.push_back(points[done]);
     };

@@ -14,11 +14,11 @@ namespace lineatlas {
 void append_cubic(glm::dvec2 from, const VectorCubic& cubic, glm::dvec2 to,
                   std::vector<glm::dvec2>& points);
 
-/// Into how many chords an arc is divided: `radius` is its longer one.
+/// The number of chords of an arc. `radius`: the longer one.
 int chords_of_arc(double radius, double sweep);
 
-/// The path through `points` with its curves, as VectorPath has them. Curves that are not in order
-/// or name points that are not there are left out.
+/// The path through `points` with its curves as chords; see VectorPath. Curves that are not in
+/// order or name missing points are left out.
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec2> points,
                                   std::span<const VectorCurve> curves);
 

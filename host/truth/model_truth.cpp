@@ -11,7 +11,8 @@
 namespace lineatlas {
 namespace {
 
-/// Patches end at lines of every kind, drawn or not, but not where a surface goes on smoothly.
+/// The scene for rays. Patches end at lines of every kind, drawn or not, but not where a surface
+/// goes on smoothly.
 RayScene scene_of(const Mesh& mesh, const LineSet& lines, LineOptions options) {
     const bool has_all = (options.lines & usual_line_kinds) == usual_line_kinds;
     if (has_all && !options.smooth_edges) return RayScene{lines};
@@ -52,7 +53,7 @@ Certificate ModelTruth::certify(const EdgeTruth& truth, const Camera& camera,
                                 const DrawnLines& drawn) const {
     Certificate certificate = compare_lines(truth, drawn.legs);
     if (drawn.pieces.empty()) return certificate;
-    // Pieces name edges of the triangles that are drawn.
+    // Pieces name edges of the drawn triangles.
     certificate.strict = fine_ ? compare_strictly(look(scene_, camera), drawn.pieces)
                                : compare_strictly(truth, drawn.pieces);
     return certificate;

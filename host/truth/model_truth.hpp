@@ -12,15 +12,16 @@ namespace lineatlas {
 /// curves and silhouettes on the surfaces themselves.
 class ModelTruth {
   public:
-    /// `lines`: those of the mesh, extracted by `options`, which are drawn; they must outlive it.
-    /// Throws FileError where the module for rays can't be loaded, DeviceError where it refuses.
+    /// `lines`: the drawn lines, extracted from the mesh by `options`; they must outlive this
+    /// object. Throws FileError if the module for rays cannot be loaded, and DeviceError if it
+    /// refuses the scene.
     ModelTruth(const Mesh& mesh, const LineSet& lines, const LineOptions& options);
     ~ModelTruth();
 
     /// Where lines are visible for a camera, by as many threads as there are cores.
     EdgeTruth seen(const Camera& camera) const;
 
-    /// How a drawing with this camera differs from `truth`, which seen() gave for it.
+    /// How a drawing with this camera differs from `truth`, the result of seen() for the camera.
     Certificate certify(const EdgeTruth& truth, const Camera& camera,
                         const DrawnLines& drawn) const;
 
@@ -28,7 +29,7 @@ class ModelTruth {
     struct Fine;
 
     RayScene scene_;
-    std::unique_ptr<Fine> fine_; ///< null: the triangles that are drawn are all that is known
+    std::unique_ptr<Fine> fine_; ///< null: only the drawn triangles are known
 };
 
 } // namespace lineatlas

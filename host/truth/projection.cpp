@@ -8,7 +8,7 @@
 namespace lineatlas {
 namespace {
 
-/// As Camera::eye(), whose floats are too coarse here.
+/// Camera::eye() in double precision.
 glm::dvec4 eye_of(const glm::dmat4& world_from_clip, bool parallel) {
     const glm::dvec4 point = world_from_clip * glm::dvec4{0, 0, 1, 0};
     if (!parallel) return point / point.w;
@@ -57,14 +57,14 @@ SeenLine::SeenLine(const PreciseCamera& projection, const glm::dvec3& p, const g
     start_ = projection.picture(p_);
     end_ = projection.picture(q_);
     length_ = glm::distance(start_, end_);
-    // A line seen end on has no direction; any will do.
+    // A line seen end on has no direction. Any direction will do.
     direction_ = length_ > 0 ? (end_ - start_) / length_ : glm::dvec2{1, 0};
 }
 
 bool SeenLine::is_left(const glm::dvec3& way) const {
     const glm::dvec4 clip = 0.5 * (p_ + q_);
     const glm::dvec4 turn = projection_.clip_from_world * glm::dvec4{way, 0};
-    // How clip.xy / clip.w changes, times what is above 0.
+    // The change of clip.xy / clip.w, times a positive factor.
     const glm::dvec2 change =
         (glm::dvec2{turn} * clip.w - glm::dvec2{clip} * turn.w) * projection_.viewport;
     return glm::dot(change, glm::dvec2{direction_.y, direction_.x}) > 0;

@@ -11,8 +11,8 @@
 
 namespace lineatlas {
 
-/// A camera in double precision, because depths that were floats once are too coarse for rays. It
-/// has GL's default clip control, and depth that is not reversed.
+/// A camera in double precision, because float depths are too coarse for rays. It has GL's default
+/// clip control, and depth is not reversed.
 struct PreciseCamera {
     glm::dmat4 clip_from_world, world_from_clip;
     glm::dvec2 viewport;            ///< pixels
@@ -24,7 +24,7 @@ struct PreciseCamera {
     /// Everything that may hide a line lies within `bounds`.
     PreciseCamera(const Camera& camera, const Bounds& bounds);
 
-    /// Where the sight of a point starts, far enough before all there is.
+    /// Where the sight of a point starts, before everything that may hide it.
     glm::dvec3 start_of_sight(const glm::dvec3& point) const;
     /// Pixels from the upper left corner of the picture, y down. For w > 0.
     glm::dvec2 picture(const glm::dvec4& clip) const;
@@ -41,7 +41,7 @@ struct Sight {
 /// the other on the screen, 0 to 1.
 class SeenLine {
   public:
-    /// From t0 to t1 of the way from p to q, all of it before the eye.
+    /// The part from t0 to t1 of the way from p to q. All of it must be before the eye.
     SeenLine(const PreciseCamera& projection, const glm::dvec3& p, const glm::dvec3& q, double t0,
              double t1);
 
@@ -50,7 +50,7 @@ class SeenLine {
     glm::dvec2 direction() const { return direction_; } ///< in the picture, unit length
     /// Whether a direction in space points to the left of it in the picture, from its middle.
     bool is_left(const glm::dvec3& way) const;
-    /// To the point at `u` and `across` pixels to the left of it, at the line's own depth.
+    /// The sight to a point `across` pixels to the left of the place `u`, at the line's own depth.
     Sight sight(double u, double across) const;
 
   private:
@@ -66,7 +66,7 @@ struct LinePart {
     double t0, t1;
 };
 
-/// What the frustum leaves of a line. Nothing where that is nothing, or a point.
+/// The part of a line in the frustum; nothing if that is empty or a point.
 std::optional<LinePart> part_inside(const PreciseCamera& projection, const glm::dvec3& p,
                                     const glm::dvec3& q);
 

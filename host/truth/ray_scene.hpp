@@ -18,10 +18,10 @@ void check_ray_module();
 /// The triangles of a line set as rays meet them.
 class RayScene {
   public:
-    /// `lines` must have been extracted with every kind (smooth_patches()) and outlive it. Throws
-    /// FileError where the module can't be loaded, DeviceError where it refuses.
+    /// `lines` must have been extracted with every kind (smooth_patches()) and outlive this object.
+    /// Throws FileError if the module cannot be loaded, and DeviceError if it refuses the scene.
     explicit RayScene(const LineSet& lines);
-    /// With patches of one's own, a number per triangle.
+    /// As above, with the caller's patches: a number per triangle.
     RayScene(const LineSet& lines, std::vector<std::uint32_t> patches);
 
     const LineSet& lines() const { return lines_; }

@@ -15,19 +15,19 @@ namespace lineatlas {
 /// A triangle of a known surface, whose places are given as shares of its corners.
 class SurfaceTriangle {
   public:
-    /// `triangle`: in KnownSurfaces::of_triangle, of one that has a surface; `corners`: where its
-    /// corners are. What is known must outlive it.
+    /// `triangle`: index into KnownSurfaces::of_triangle of a triangle with a surface. `corners`:
+    /// the places of its corners. `known` must outlive this object.
     SurfaceTriangle(const KnownSurfaces& known, std::uint32_t triangle,
                     const std::array<glm::dvec3, 3>& corners);
 
     struct Place {
         glm::dvec3 at;
-        glm::dvec3 normal; ///< outwards, as long as 1; 0 at a pole or a tip
+        glm::dvec3 normal; ///< outwards, of length 1; 0 at a pole or a tip
     };
-    /// A surface that is elsewhere than its triangle is not believed.
+    /// A place and its normal. A surface far from its triangle is not believed.
     Place place(const glm::dvec3& shares) const;
-    /// At a pole or a tip one parameter may have any value: on the way there it is what it is
-    /// elsewhere.
+    /// The parameters of a place. At a pole or a tip one parameter may have any value; on the way
+    /// there it keeps its value.
     glm::dvec2 parameters(const glm::dvec3& shares) const;
 
   private:
@@ -40,7 +40,7 @@ class SurfaceTriangle {
     double longest_ = 0; ///< of the sides
     glm::dmat3 normal_turn_;
     std::size_t tip_ = none; ///< a corner
-    int free_ = 0;           ///< the parameter that says nothing there
+    int free_ = 0;           ///< the parameter that may have any value there
 };
 
 } // namespace lineatlas

@@ -18,7 +18,7 @@ class PathParser {
   public:
     explicit PathParser(std::string_view data) : rest_(data) {}
 
-    /// Whether all of it was understood.
+    /// Parses the data. Returns whether all of it was understood.
     bool parse() {
         while (skip_spaces(), !rest_.empty()) {
             if (std::isalpha(static_cast<unsigned char>(rest_.front())) != 0) {
@@ -44,7 +44,7 @@ class PathParser {
     bool number(double& value) {
         skip_spaces();
         const std::optional<double> found = take_number(rest_);
-        constexpr double largest = 1e9; // of what any drawing has; its square is finite
+        constexpr double largest = 1e9; // larger than in any drawing; its square is finite
         if (!found || !(std::abs(*found) <= largest)) return false;
         value = *found;
         return true;
@@ -55,7 +55,7 @@ class PathParser {
         here_ = to;
     }
 
-    /// To a point by part of an ellipse (SVG 1.1 appendix F.6).
+    /// An arc of an ellipse to a point (SVG 1.1 appendix F.6).
     bool arc_to(glm::dvec2 base) {
         glm::dvec2 radii{0}, to{0};
         double turned = 0, large = 0, sweep = 0;
@@ -65,7 +65,7 @@ class PathParser {
         to += base;
         const double angle_of_axis = glm::radians(turned);
         const glm::dvec2 axis{std::cos(angle_of_axis), std::sin(angle_of_axis)};
-        // Where the ellipse is a circle of radius 1 about some place.
+        // Coordinates in which the ellipse is a circle of radius 1.
         const auto unrolled = [&](glm::dvec2 at) {
             return glm::dvec2{glm::dot(at, axis), axis.x * at.y - axis.y * at.x} / radii;
         };
@@ -113,7 +113,7 @@ class PathParser {
         return true;
     }
 
-    /// A command's numbers, once.
+    /// Takes the numbers of a command once.
     bool step() {
         const bool relative = std::islower(static_cast<unsigned char>(command_)) != 0;
         const glm::dvec2 base = relative ? here_ : glm::dvec2{0};

@@ -9,8 +9,8 @@
 
 namespace lineatlas {
 
-/// The lines of path data (SVG 1.1 §8.3): moves, lines, arcs (as chords of 6 degrees)
-/// and closings, absolute or relative. Nothing if there is anything else in it.
+/// The lines of path data (SVG 1.1 §8.3): moves, lines, arcs (as chords of 6 degrees) and closings,
+/// absolute or relative. Nothing if the data has anything else.
 std::optional<std::vector<std::pair<glm::dvec2, glm::dvec2>>> parse_path(std::string_view data);
 
 } // namespace lineatlas

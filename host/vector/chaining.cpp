@@ -13,8 +13,8 @@ namespace {
 /// Places along a strip are the same within this, pixels: rounding.
 constexpr double rounding = 1e-6;
 
-/// The strokes of a closed strip with those that meet at its seam joined: what is left of the
-/// last one goes on beyond the strip's length.
+/// The strokes of a closed strip, with those that meet at its seam joined to one. That one goes on
+/// beyond the strip's length.
 std::vector<Stroke> across_seam(const Strip& strip) {
     std::vector<Stroke> strokes = strip.strokes;
     if (!strip.closed || strokes.size() < 2) return strokes;
@@ -34,7 +34,7 @@ class PathMaker {
     PathMaker(const LineSet& lines, const Pieces& pieces, const Strip& strip, const PathPens* pens)
         : lines_(lines), pieces_(pieces), strip_(strip), pens_(pens) {}
 
-    /// The polylines of a stroke, of which each has a pen of its own.
+    /// Adds the polylines of a stroke, one for each part with another pen.
     void add(const Stroke& stroke, std::vector<VectorPath>& paths) const {
         const std::vector<Stretch> parts =
             pens_ != nullptr ? parts_by_pen(stroke) : std::vector<Stretch>{};
@@ -77,7 +77,7 @@ class PathMaker {
         return {.pen = outline ? pens.outline : pens.inner, .outline = outline};
     }
 
-    /// A stroke where its look changes.
+    /// The parts of a stroke between changes of its look.
     std::vector<Stretch> parts_by_pen(const Stroke& stroke) const {
         std::vector<double> places{stroke.from, stroke.to};
         const auto add = [&](double place) {
@@ -137,12 +137,12 @@ class PathMaker {
             add_part(path, std::max(stroke.from - passed, 0.0),
                      std::min(to - passed, strip_.length), passed);
         }
-        // Bit by bit, whatever rounding made of it.
+        // Both ends are the same bit by bit, in spite of rounding.
         if (path.closed) path.points.back().at = path.points.front().at;
         return path;
     }
 
-    /// Adds what lies between two places of one lap; beyond the strip's ends straight on.
+    /// Adds the part between two places of one lap. Beyond the strip's ends it goes straight on.
     void add_part(VectorPath& path, double from, double to, double passed) const {
         if (to - from <= rounding) return;
         const auto after =
@@ -184,15 +184,15 @@ class PathMaker {
         path.pieces.push_back(piece);
     }
 
-    /// Whether it is a ridge or a valley: all else that lies in a triangle has edges or another
-    /// one.
+    /// Whether a segment is a ridge or a valley. Other lines within a triangle have edges or a
+    /// second triangle.
     bool runs_through(std::uint32_t segment) const {
         const std::uint32_t kind = lines_.segments[segment].tag & LA_TAG_KIND_MASK;
         return (1U << kind & LA_KINDS_OF_SHAPE) != 0;
     }
 
-    /// Over which place of its triangle a point of a contour, ridge or valley lies, as shares of
-    /// its corners.
+    /// The place of its triangle that a point of a contour, ridge or valley lies over, as shares of
+    /// the corners.
     glm::vec3 over(std::uint32_t segment, glm::dvec3 point) const {
         const glm::uvec3 triangle = lines_.triangles[lines_.segments[segment].face_a];
         const auto corner = [&](int k) { return glm::dvec3{lines_.vertices[triangle[k]]}; };

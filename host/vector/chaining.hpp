@@ -10,14 +10,15 @@
 
 namespace lineatlas {
 
-/// Which pen draws which lines; null: one pen draws all.
+/// The pens of lines.
 struct PathPens {
     const LineClasses& classes;
     const LinePens& pens;
 };
 
-/// A polyline for every stroke of every strip; one that goes on across the seam of a closed strip
-/// is one polyline, closed if it goes all around. Where another pen goes on, another polyline does.
+/// Makes a polyline of every stroke of every strip. A stroke that goes on across the seam of a
+/// closed strip is one polyline, closed if it goes all around. Where another pen goes on, another
+/// polyline begins. pens: null if one pen draws all.
 std::vector<VectorPath> chain_strips(const LineSet& lines, const Pieces& pieces,
                                      const std::vector<Strip>& strips, const PathPens* pens);
 

@@ -12,7 +12,7 @@ namespace {
 
 void check_pen(const Pen& pen, Style& style) {
     style.pen = pen;
-    // Lengths are those of the picture (Style::made_for): they may be longer than any style's own.
+    // Lengths are those of the picture (Style::made_for), which may be longer than any in a style.
     style.pen.width = std::min(pen.width, Pen{}.width);
     style.pen.cap_length = std::min(pen.cap_length, Pen{}.cap_length);
     check_style(style);

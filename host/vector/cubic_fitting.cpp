@@ -9,10 +9,12 @@
 namespace lineatlas {
 namespace {
 
-constexpr double most_off_chord = 0.1; ///< of the chord between two points, pixels
-constexpr double sharpest = 0.7;       ///< radians by which chords of a smooth line turn
-constexpr double straight = 1e-3;      ///< radians between a tangent and its chord
-constexpr double much_longer = 8;      ///< such a chord is straight, the other one short
+/// Distance of a cubic from the chord between two points, pixels.
+constexpr double most_off_chord = 0.1;
+constexpr double sharpest = 0.7;  ///< radians by which chords of a smooth line turn
+constexpr double straight = 1e-3; ///< radians between a tangent and its chord
+/// A chord that is this many times as long as its neighbour is straight; the neighbour is short.
+constexpr double much_longer = 8;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -83,7 +85,7 @@ class Fitter {
     }
 
   private:
-    /// That of the circle through three points, at the middle one.
+    /// The tangent of the circle through three points, at the middle one.
     static glm::dvec2 tangent(glm::dvec2 before, glm::dvec2 after) {
         const double a = glm::length(before), b = glm::length(after);
         if (a > much_longer * b) return unit(before);
@@ -91,7 +93,7 @@ class Fitter {
         return unit(before * (b / a) + after * (a / b));
     }
 
-    /// At the other end of a circle's chord.
+    /// The tangent at the other end of a circle's chord.
     static glm::dvec2 beyond(glm::dvec2 tangent, glm::dvec2 chord) {
         const glm::dvec2 along = unit(chord);
         return 2 * glm::dot(tangent, along) * along - tangent;

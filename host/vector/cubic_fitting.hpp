@@ -16,12 +16,12 @@ struct FittedCubic {
     VectorCubic cubic;
 };
 
-/// Cubic Bézier curves along a smooth line, of which these are points, in a row that leaves out
-/// what is straight. They go through points of it, with one tangent on either side, are within
-/// `most_off` pixels of all others, and within a tenth of a pixel of the chords; at a corner they
-/// end. closed: the last point is the first, and the line goes on there. Least squares by a row's
-/// own parameters (Schneider, "An Algorithm for Automatically Fitting Digitized Curves", 1990),
-/// with tangents known beforehand.
+/// Cubic Bézier curves along a smooth line, in a row with straight parts left out. `points` are
+/// points of the line. Cubics begin and end at points, with one tangent on either side. They are
+/// within `most_off` pixels of all other points and within a tenth of a pixel of the chords. They
+/// end at corners. closed: the last point is the first, and the line goes on there. Least squares
+/// (Schneider, "An Algorithm for Automatically Fitting Digitized Curves", 1990), with tangents
+/// known beforehand.
 std::vector<FittedCubic> fit_cubics(std::span<const glm::dvec2> points, bool closed,
                                     double most_off);
 

@@ -22,7 +22,7 @@ bool is_on(const VectorArc& arc, double angle) {
     return angle - from - turn * std::floor((angle - from) / turn) <= std::abs(arc.sweep);
 }
 
-/// Ends, and where the arc turns back along x or y.
+/// Adds the ends of an arc, and the places where it turns back along x or y.
 void widen(DrawnBox& box, const VectorArc& arc) {
     const glm::dvec2 minor = arc.ratio * glm::dvec2{-arc.major.y, arc.major.x};
     widen(box, arc.at(arc.from));
@@ -34,7 +34,7 @@ void widen(DrawnBox& box, const VectorArc& arc) {
     }
 }
 
-/// Where a cubic Bézier curve from `a` to `d` turns back along x or y.
+/// Adds the places where a cubic Bézier curve from `a` to `d` turns back along x or y.
 void widen(DrawnBox& box, glm::dvec2 a, const VectorCubic& cubic, glm::dvec2 d) {
     const glm::dvec2 b = cubic.first_control, c = cubic.last_control;
     const glm::dvec2 square = d - a + 3.0 * (b - c), linear = 2.0 * (a - 2.0 * b + c);
@@ -46,7 +46,8 @@ void widen(DrawnBox& box, glm::dvec2 a, const VectorCubic& cubic, glm::dvec2 d) 
     for (int axis = 0; axis < 2; ++axis) {
         const double inner = linear[axis] * linear[axis] - 4 * square[axis] * constant[axis];
         if (inner < 0) continue;
-        // Citardauq's form, too: of a square term that is nearly 0 one root stays finite.
+        // Both forms of the roots are used, because one root stays finite if the square term is
+        // nearly 0.
         const double q = -0.5 * (linear[axis] + std::copysign(std::sqrt(inner), linear[axis]));
         for (const double t : std::array{q / square[axis], constant[axis] / q})
             if (t > 0 && t < 1) widen(box, at(t));

@@ -6,13 +6,14 @@
 
 namespace lineatlas {
 
-/// A box around all lines of a drawing, in pixels; empty (`low` above `high`) where there are none.
+/// A box around all lines of a drawing, in pixels; empty (`low` above `high`) if there are none.
 struct DrawnBox {
     glm::dvec2 low, high;
-    bool exact = true; ///< its sides touch straight lines and arcs; else cubic curves, too
+    /// Its sides touch straight lines and arcs only; false: some touch cubic curves.
+    bool exact = true;
 };
 
-/// Straight lines and arcs are taken as they are, not by the chords of the mesh.
+/// The box of a drawing, by its straight lines and arcs and not by the chords of the mesh.
 DrawnBox drawn_box(const VectorDrawing& drawing);
 
 } // namespace lineatlas

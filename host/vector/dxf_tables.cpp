@@ -9,7 +9,7 @@ namespace {
 
 using Handle = DxfText::Handle;
 
-/// Nobody: the owner of tables, and of the dictionary of all dictionaries.
+/// The handle of nobody, who owns tables and the dictionary of dictionaries.
 constexpr Handle nobody = 0;
 
 /// A table of records that `write` adds.
@@ -27,7 +27,7 @@ void write_table(DxfText& text, std::string_view name, int records,
     text.add(0, "ENDTAB");
 }
 
-/// A record of a table, begun.
+/// Begins a record of a table.
 Handle begin_record(DxfText& text, std::string_view type, std::string_view subclass, Handle table,
                     std::string_view name) {
     const Handle handle = text.begin(type, table, type == "DIMSTYLE" ? 105 : 5);
@@ -40,7 +40,7 @@ Handle begin_record(DxfText& text, std::string_view type, std::string_view subcl
 void write_viewport(DxfText& text, Handle table, glm::dvec2 size) {
     begin_record(text, "VPORT", "AcDbViewportTableRecord", table, "*Active");
     text.add(70, 0);
-    text.add(10, glm::dvec2{0, 0}); // of the screen: all of it
+    text.add(10, glm::dvec2{0, 0}); // the whole screen
     text.add(11, glm::dvec2{1, 1});
     text.add(12, 0.5 * size); // the middle of what it shows
     text.add(40, size.y);
@@ -52,7 +52,7 @@ void write_linetype(DxfText& text, Handle table, std::string_view name, std::str
     begin_record(text, "LTYPE", "AcDbLinetypeTableRecord", table, name);
     text.add(70, 0);
     text.add(3, looks);
-    text.add(72, 65); // "A", which is all there is
+    text.add(72, 65); // "A", the only allowed value
     text.add(73, static_cast<int>(dashes.size()));
     text.add(40, std::accumulate(dashes.begin(), dashes.end(), 0.0));
     for (std::size_t i = 0; i < dashes.size(); ++i) {
@@ -65,7 +65,9 @@ void write_layer(DxfText& text, Handle table, const DxfLayer& layer) {
     begin_record(text, "LAYER", "AcDbLayerTableRecord", table, layer.name);
     text.add(70, 0);
     text.add(62, layer.shown ? layer.color_index : -layer.color_index);
-    if (layer.color != 0) text.add(420, layer.color); // black is what shows on the background
+    if (layer.color != 0)
+        text.add(420, layer.color); // black stands for the colour that shows on
+                                    // the background
     text.add(6, layer.linetype);
     text.add(370, layer.line_weight);
 }
@@ -112,7 +114,7 @@ void write_block(DxfText& text, std::string_view name, Handle record) {
     text.add(100, "AcDbBlockEnd");
 }
 
-/// A variable of the header, begun.
+/// Begins a variable of the header.
 void begin_variable(DxfText& text, std::string_view name) {
     text.add(9, name);
 }
@@ -162,7 +164,7 @@ DxfText dxf_header(glm::dvec2 size, Handle last) {
     return text;
 }
 
-/// A line of it has at most so many characters (AutoCAD's limit is 2049).
+/// Adds a comment in lines of at most so many characters (AutoCAD's limit is 2049).
 void add_comment(DxfText& text, std::string_view comment) {
     constexpr std::size_t longest = 250;
     const std::string line = dxf_line(comment);

@@ -57,7 +57,7 @@ std::string dxf_line(std::string_view utf8) {
         std::uint32_t number = first & (0xFFU >> (length + 1));
         for (std::size_t k = 1; k < length; ++k)
             number = number << 6U | (static_cast<unsigned char>(clean[i + k]) & 0x3FU);
-        // Codes have four digits: what lies beyond them has none.
+        // Codes have four digits, so characters beyond them have no code.
         line += number <= 0xFFFF ? fmt::format("\\U+{:04X}", number) : "?";
         i += length;
     }

@@ -17,16 +17,17 @@ class DxfText {
     static constexpr int usual_digits = 5;
 
     void add(int code, std::string_view value);
-    void add(int code, double value, int digits = usual_digits); ///< after the point, at most
+    void add(int code, double value, int digits = usual_digits); ///< digits: at most so many after
+                                                                 ///< the point
     void add(int code, int value);
     void add_handle(int code, Handle handle);
-    /// Two numbers; that of y has the code of x and ten.
+    /// Adds two numbers. The code of y is that of x plus 10.
     void add(int code, glm::dvec2 value);
 
     Handle next_handle() { return ++last_handle_; }
     Handle last_handle() const { return last_handle_; }
 
-    /// An object of a table or an entity, begun: its type, its handle and whom it belongs to.
+    /// Begins an object of a table or an entity with its type, its handle and its owner.
     Handle begin(std::string_view type, Handle owner, int handle_code = 5);
     void begin_section(std::string_view name);
     void end_section() { add(0, "ENDSEC"); }
@@ -39,7 +40,7 @@ class DxfText {
     std::string text_;
 };
 
-/// What DXF can hold in a line: ASCII, all else by its number in Unicode.
+/// A text as DXF holds it in a line: ASCII, with other characters by their numbers in Unicode.
 std::string dxf_line(std::string_view utf8);
 
 } // namespace lineatlas

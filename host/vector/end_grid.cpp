@@ -53,7 +53,7 @@ void EndGrid::search_cell(glm::ivec2 cell, glm::dvec2 at, std::optional<PathEnd>
                           double& best_distance) {
     std::vector<std::uint32_t>& ends =
         cells_[static_cast<std::size_t>(cell.y * count_.x + cell.x)].ends;
-    // Those of taken paths are never needed again.
+    // Ends of taken paths are never needed again.
     std::erase_if(ends, [&](std::uint32_t i) { return taken_[ends_[i].path]; });
     for (const std::uint32_t i : ends) {
         const double distance = glm::distance(ends_[i].at, at);

@@ -16,7 +16,7 @@ bool is_rough(const LineSet& lines, const VectorPath& path) {
     });
 }
 
-/// Of the way from one neighbour to the other the place that lies as far along as the point does.
+/// The place on the way from one neighbour to the other at the share of the way that the point has.
 glm::dvec2 between(glm::dvec2 before, glm::dvec2 point, glm::dvec2 after) {
     const double from = glm::distance(before, point), to = glm::distance(point, after);
     return from + to > 0 ? (before * to + after * from) / (from + to) : point;

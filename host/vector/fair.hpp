@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// Moves points of silhouettes on surfaces that nobody designed to where the path bends less, by a
-/// quarter of a pixel at most: what they bend from triangle to triangle is roughness. Ends stay.
+/// Moves points of silhouettes on undesigned surfaces to where the path bends less, by a quarter of
+/// a pixel at most. Bends from triangle to triangle are only roughness there. Ends stay.
 void fair(const LineSet& lines, std::vector<VectorPath>& paths);
 
 } // namespace lineatlas

@@ -18,14 +18,14 @@ constexpr double reach_over{LA_HALO_REACH_OVER};
 constexpr double least_sine{LA_HALO_LEAST_SINE};
 constexpr double most_stretch{LA_HALO_STRETCH};
 
-/// What is visible of one segment.
+/// A visible part of one segment.
 struct StrokePiece {
     std::uint32_t strip, segment;
     double from;          ///< pixels from the start of the strip
     VectorPoint a, b;     ///< along the strip
     glm::dvec2 along;     ///< unit direction
     double length;        ///< pixels
-    double before, after; ///< as a line that is cut it is longer by these, pixels
+    double before, after; ///< lengths by which it is longer if it is cut, pixels
 };
 
 struct Crossing {

@@ -17,11 +17,11 @@ struct Cut {
 
 struct HaloOptions {
     double width = 0;     ///< from the middle of the nearer line to the end of the gap, pixels
-    double tolerance = 0; ///< by which it must be nearer: window depth times w
+    double tolerance = 0; ///< window depth times w by which a line must be nearer
 };
 
-/// Per strip, sorted, where nearer lines cross what is visible of it, as the kernel `halo` finds
-/// them.
+/// The gaps of each strip, sorted, where nearer lines cross its visible parts. The kernel `halo`
+/// finds the same.
 std::vector<std::vector<Cut>> find_halos(const LineSet& lines, const Pieces& pieces,
                                          const std::vector<Strip>& strips, glm::dvec2 picture,
                                          const HaloOptions& options);

@@ -14,14 +14,14 @@ namespace {
 
 /// Lines at less than this sine to each other run along each other and do not cross.
 constexpr double least_sine = 0.01;
-/// A line that crosses at its very end, pixels.
+/// How near to its very end, in pixels, a line may cross another.
 constexpr double end_slack = 0.05;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Where an end may go along its segment.
+/// The range along its segment to which an end may move.
 struct Range {
     double low, high;
 };
@@ -81,7 +81,8 @@ class Junctions {
         if (end.kind != LA_END_HIDDEN || !(pieces_.segment_of(piece).length > 0)) return false;
         Piece* other = neighbour(i, at_end);
         const bool shared = other != nullptr && touches(piece, *other, at_end);
-        if (shared && other->visible) return false; // visible on either side of a vertex
+        // The line is visible on either side of the vertex.
+        if (shared && other->visible) return false;
         const bool beside = other != nullptr && other->screen == piece.screen;
         const bool moves_along = shared && beside;
         double limit = at_end ? 1 : 0;
@@ -94,8 +95,8 @@ class Junctions {
         return true;
     }
 
-    /// Lines vanish behind their own surface at a vertex of an outline: an end near a vertex where
-    /// another visible line ends is there.
+    /// Moves an end to a nearby vertex where another visible line ends. Lines vanish behind their
+    /// own surface at vertices of outlines.
     bool meet_vertex(Piece& piece, bool at_end, Range range, Piece* other) {
         if (pieces_.exact || is_contour(lines_, piece.segment)) return false;
         PieceEnd& end = end_of(piece, at_end);
@@ -108,13 +109,13 @@ class Junctions {
         end.t = t;
         if (other == nullptr) return true;
         end_of(*other, !at_end).t = t;
-        // What was hidden up to the vertex is no more: the line goes on there, or ends.
+        // The hidden part up to the vertex is gone, so the line goes on there, or ends.
         const PieceEnd far = end_of(*other, at_end);
         if (far.t == t) end.kind = far.kind;
         return true;
     }
 
-    /// No line meets itself.
+    /// Notes the line that is visible at a vertex. A line does not meet itself.
     void note_line_at(std::uint32_t vertex, std::uint32_t segment) {
         std::uint32_t& line = line_at_[vertex];
         line = line == no_line || line == segment ? segment : several_lines;
@@ -134,7 +135,7 @@ class Junctions {
         return nearest;
     }
 
-    /// Where along the segment of `piece` a nearer line crosses it.
+    /// The place along the segment of `piece` where a nearer line crosses it.
     std::optional<double> crossing(const Piece& piece, const Piece& other) const {
         if (share_vertex(lines_.segments[piece.segment], lines_.segments[other.segment])) return {};
         const ScreenSegment& segment = pieces_.segment_of(piece);
@@ -162,7 +163,8 @@ class Junctions {
 
     const LineSet& lines_;
     Pieces& pieces_;
-    const std::vector<Piece> before_; ///< lines cross where they were: in any order the same
+    const std::vector<Piece> before_; ///< lines cross at their old places, so that the order does
+                                      ///< not matter
     SegmentGrid grid_;
     double reach_;
     std::vector<std::uint32_t> line_at_; ///< per vertex, the segment that is visible there

@@ -12,9 +12,9 @@ namespace lineatlas {
 /// Makes lines that pass behind others end exactly at them. An end where visibility changes moves
 /// to the crossing with a nearer visible line, if there is one within `reach` pixels; otherwise to
 /// a vertex of its own segment within reach at which another visible line ends. The hidden piece
-/// that starts there moves along. Ends of exact visibility lie on triangles, and move only to
-/// silhouettes on known surfaces, which lie a little beyond the triangles. Returns how many ends
-/// met a line.
+/// that starts there moves along. Ends of exact visibility lie on triangles. They move only to
+/// silhouettes on known surfaces, which lie a little beyond the triangles. Returns the number of
+/// ends that met a line.
 std::size_t meet_junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces,
                            double reach = 1.25);
 

@@ -10,7 +10,7 @@
 namespace lineatlas {
 namespace {
 
-/// Nothing is shorter than this, in pixels: rounding of places.
+/// Anything shorter than this, in pixels, is rounding of places.
 constexpr double shortest = 0.01;
 /// Visibility from which on a stroke is drawn in full.
 constexpr float fully_shown = static_cast<float>(LA_FULLY_SHOWN) / 255;
@@ -21,7 +21,7 @@ struct ShortStroke {
     double start_overshoot = 0, end_overshoot = 0;
 };
 
-/// Whether a stroke may go on beyond an end, so that nobody knows how long it is.
+/// Whether a stroke may go on beyond an end. Then its length is not known.
 bool is_cut_off(std::uint32_t kind) {
     return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
 }
@@ -59,7 +59,7 @@ class Lengths {
     }
 
   private:
-    /// What is hidden around the seam of a closed strip.
+    /// Finds the hidden part around the seam of a closed strip.
     void find_seam() {
         const double gap = seen_.front().from + strip_.length - seen_.back().to;
         joined_ = gap <= shortest || gap < fill_;
@@ -98,7 +98,7 @@ class Lengths {
         return kept;
     }
 
-    /// Strokes that overshoot into each other are one.
+    /// Joins strokes that overshoot into each other.
     std::vector<ShortStroke> meeting(const std::vector<ShortStroke>& strokes) const {
         std::vector<ShortStroke> result;
         for (const ShortStroke& next : strokes) {
@@ -115,8 +115,8 @@ class Lengths {
         return result;
     }
 
-    /// The square of the ink beside an end over the overshoot itself: that of a crumb is short. It
-    /// never reaches a gap beside a nearer line.
+    /// The overshoot at an end: the square of the ink beside the end over the full overshoot, so
+    /// that crumbs overshoot little. It never reaches a gap beside a nearer line.
     double overshoot_at(double place, bool at_start) const {
         if (!(overshoot_ > 0)) return 0;
         const double ink = at_start ? ink_within(place, place + overshoot_)
@@ -150,7 +150,7 @@ class Lengths {
         return ink;
     }
 
-    /// A stroke to its final length, in pieces between its gaps.
+    /// Gives a stroke its final length and emits its pieces between gaps.
     void emit(ShortStroke grown) {
         grow(grown);
         Stroke& stroke = grown.stroke;
@@ -200,7 +200,7 @@ class Lengths {
     Strip& strip_;
     double crumb_, fill_, drop_, undershoot_, overshoot_;
     std::span<const Cut> cuts_;
-    std::vector<Stroke> seen_; ///< what is visible before any change
+    std::vector<Stroke> seen_; ///< the visible strokes before any change
     bool joined_ = false;      ///< visible across the seam
     double seam_room_ = std::numeric_limits<double>::infinity();
 };

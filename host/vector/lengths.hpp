@@ -12,9 +12,10 @@ namespace lineatlas {
 /// because samples are farther apart.
 constexpr double crumb_of_samples = 1;
 
-/// Changes what is visible of a strip as the kernel `filter` does: closes short holes, drops short
-/// strokes, lets them overshoot or fall short of their ends, and cuts `cuts` (sorted) into them.
-/// crumb: strokes between two changes of visibility that are shorter, in pixels, go in any case.
+/// Changes the visible strokes of a strip as the kernel `filter` does: closes short holes, drops
+/// short strokes, lets strokes overshoot or fall short of their ends, and cuts `cuts` (sorted) into
+/// them. crumb: strokes between two changes of visibility that are shorter than this, in pixels,
+/// are always dropped.
 void filter_lengths(Strip& strip, const StrokeFilter& filter, std::span<const Cut> cuts,
                     double crumb);
 

@@ -9,14 +9,14 @@
 
 namespace lineatlas {
 
-/// Paths of one kind or of the outline, with one pen, all visible or all hidden, all thinned or
-/// none: a layer of the drawing.
+/// A layer of the drawing: paths of one kind or of the outline, with one pen. All are visible or
+/// all hidden, and all are thinned or none.
 struct LineGroup {
-    LineKind kind; ///< of an outline that of its first path
+    LineKind kind; ///< for an outline the kind of its first path
     bool visible;
     bool outline;
     bool thinned;    ///< not shown
-    unsigned number; ///< among those of its kind that differ in their pens, from 1
+    unsigned number; ///< counts groups of one kind with different pens, from 1
     const Pen& pen;  ///< the drawing's
     std::span<const VectorPath> paths;
 

@@ -19,20 +19,22 @@
 namespace lineatlas {
 namespace {
 
-/// Lines run along each other where they are no farther apart than this, pixels: a quarter, from
-/// whichever of the two it is measured.
+/// Lines run along each other if they are no farther apart than this, pixels. It is a quarter of a
+/// pixel, measured from either of the two.
 constexpr double reach = 0.26;
-/// Lines at less than this sine to each other (5 degrees) count as parallel: where they are within
-/// reach, one goes. However lines are cut, what is left is within reach of nothing.
+/// Lines at less than this sine to each other (5 degrees) count as parallel, and one of them is
+/// removed where they are within reach. However lines are cut, no rest is within reach of another
+/// line.
 constexpr double parallel_sine = 0.0872;
-/// Short ones at less than this do if they are within reach all along each other.
+/// Short lines at less than this sine count as parallel if they are within reach all along.
 constexpr double along_sine = 0.5;
 /// Shorter overlaps are joints, pixels.
 constexpr double shortest_overlap = 0.02;
-/// What is left between two overlaps, or of a path with overlaps, is dropped if shorter, pixels.
+/// A rest between two overlaps, or of a path with overlaps, is dropped if it is shorter than this,
+/// pixels.
 constexpr double shortest_rest = 0.5;
 constexpr double longest_scrap = 12; ///< pixels
-/// A silhouette of a surface touches the edge that it ends on: it runs along it as far as this,
+/// A silhouette of a surface touches the edge that it ends on. It may run along that edge this far,
 /// pixels.
 constexpr double longest_touch = 16;
 
@@ -70,7 +72,7 @@ std::optional<Span> part_along(const Line& line, const Line& other) {
     return span;
 }
 
-/// What is left of [0, length] without `covered`, which is sorted.
+/// The rest of [0, length] without `covered`, which is sorted.
 std::vector<Span> rest_of(const std::vector<Span>& covered, double length) {
     std::vector<Span> rest;
     double from = 0;
@@ -88,23 +90,25 @@ double mean_depth(const VectorPath& path) {
     return sum / static_cast<double>(path.points.size());
 }
 
-/// Whether it runs along an edge or over a face of exact geometry.
+/// Whether a path runs along an edge or over a face of exact geometry.
 bool is_along_curves(const VectorPath& path) {
     if (path.pieces.empty()) return false;
     const VectorPiece& piece = path.pieces.front();
     return piece.edge != VectorPiece::none || piece.face != VectorPiece::none;
 }
 
-/// Whether it gives way to hidden edges, too (ISO 128-2: edges, hidden edges, centre lines).
+/// Whether lines of a kind give way to hidden edges too (ISO 128-2: edges, hidden edges, centre
+/// lines).
 bool is_beside_edges(LineKind kind) {
     return kind == LineKind::centre || kind == LineKind::trail;
 }
 
-/// Where a path stands in the order in which paths claim their place.
+/// The rank of a path in the order in which paths claim their places.
 struct Claim {
     bool hidden;
     bool inside; ///< of the outline
-    bool scrap;  ///< so short that chords of two depths may have left it of a line along another
+    bool scrap;  ///< so short that it may be the rest of a line along another one, between chords
+                 ///< of two depths
     int kind;
     double depth;
     bool after = false; ///< another line along its curve
@@ -112,7 +116,7 @@ struct Claim {
     auto operator<=>(const Claim&) const = default;
 };
 
-/// Of the lines along one curve the one of which most is seen claims its place before the others.
+/// Of the lines along one curve, the one with the longest visible part claims its place first.
 void join_claims(const std::vector<VectorPath>& paths, std::span<const std::uint32_t> curves,
                  std::vector<Claim>& claims) {
     using Line = std::pair<LineKind, std::uint32_t>; // of an edge
@@ -121,7 +125,7 @@ void join_claims(const std::vector<VectorPath>& paths, std::span<const std::uint
         std::map<Line, double> lengths{};
         Line longest{};
     };
-    std::map<std::pair<bool, std::uint32_t>, Curve> seen; // by what is hidden, and their numbers
+    std::map<std::pair<bool, std::uint32_t>, Curve> seen; // by whether it is hidden, and by number
     const auto line_of = [&](std::size_t i) {
         return Line{paths[i].kind, paths[i].pieces.front().edge};
     };
@@ -180,7 +184,7 @@ class Overlaps {
   public:
     explicit Overlaps(glm::dvec2 picture) : grid_(picture) {}
 
-    /// Appends to `result` what may be drawn of `path`, which claims its place.
+    /// Lets a path claim its place, and appends the parts that may be drawn to `result`.
     void claim(VectorPath&& path, std::vector<VectorPath>& result) {
         std::vector<Span> covered;
         const std::size_t first = lines_.size();
@@ -207,7 +211,7 @@ class Overlaps {
     }
 
   private:
-    /// Takes spans out of `covered` that only touch what they run along.
+    /// Removes spans from `covered` that only touch the lines along them.
     static void keep_touching_ends(const VectorPath& path, double length,
                                    std::vector<Span>& covered) {
         if (path.closed || path.pieces.empty()) return;
@@ -234,7 +238,7 @@ class Overlaps {
         return covered;
     }
 
-    /// passed: of the path, before the line.
+    /// passed: length of the path before the line.
     void add(const Line& line, Span part, double passed) {
         if (part.to - part.from < shortest_overlap) return;
         const Line free{line.a + line.along * part.from, line.along, part.to - part.from};
@@ -244,8 +248,9 @@ class Overlaps {
         middles_.push_back(passed + 0.5 * (part.from + part.to));
     }
 
-    /// Empties the lines from `first` on that are in none of the parts that are kept: what is not
-    /// drawn covers nothing, or where many lines meet each would take away from the next.
+    /// Empties the lines from `first` on that are in none of the kept parts. Lines that are not
+    /// drawn must cover nothing. Otherwise, where many lines meet, each would take away from the
+    /// next.
     void forget_dropped(std::size_t first, const std::vector<Span>& kept) {
         auto part = kept.begin();
         for (std::size_t i = first; i < lines_.size(); ++i) {
@@ -271,8 +276,8 @@ class Overlaps {
     }
 
     SegmentGrid grid_;
-    std::vector<Line> lines_;     ///< what is drawn already
-    std::vector<double> middles_; ///< of those of the path that claims its place, from its start
+    std::vector<Line> lines_;     ///< lines that are drawn already
+    std::vector<double> middles_; ///< middles of the lines of the current path, from its start
 };
 
 } // namespace

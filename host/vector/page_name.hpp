@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// "A3" of a page that has a name, else its width and height, as "300 x 200 mm".
+/// The name of a page such as "A3", or else its width and height such as "300 x 200 mm".
 std::string page_name(const Page& page);
 
 } // namespace lineatlas

@@ -62,7 +62,8 @@ class PathData {
     void arc_to(const VectorArc& arc, Place place) {
         const Place target = relative_ ? place - at_ : place;
         use(relative_ ? 'a' : 'A');
-        // Finer than places are: of a flat arc they move the middle by much less.
+        // The radius has more digits than places have, because it moves the middle of a flat arc
+        // much less.
         const double radius = glm::length(arc.major);
         add(number_text(radius, digits_ + 1));
         add(number_text(arc.ratio * radius, digits_ + 1));
@@ -109,8 +110,9 @@ class PathData {
     std::string text_;
 };
 
-/// SVG finds an arc's centre by its ends. Of half a circle of 500 pixels whose ends are off by
-/// 0.005 it is off by 2; of a third it is off by less than the ends.
+/// The number of parts in which an arc is written. SVG finds an arc's centre from its ends. If the
+/// ends of half a circle of 500 pixels are off by 0.005, its centre is off by 2. The centre of a
+/// third of a circle is off by less than the ends.
 int parts_of(const VectorArc& arc) {
     constexpr double longest = 2.1; // radians, a third of all around and a little
     return std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / longest)));

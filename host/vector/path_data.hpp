@@ -6,7 +6,7 @@
 
 namespace lineatlas {
 
-/// A number as XML has it, with at most so many digits after the point and none to spare.
+/// A number for XML with at most `digits` digits after the point, and without needless ones.
 std::string number_text(double value, int digits);
 
 /// The `d` of a path, rounded to so many digits; empty if it has no length then. Rounded places are

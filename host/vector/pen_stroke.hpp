@@ -15,14 +15,14 @@ struct PenStroke {
     double width;
     Join join;
     double mitre_limit;
-    bool round; ///< its caps, those of dashes included: one for both; else cut square
+    bool round;                 ///< caps, those of dashes included, are round; false: cut square
     std::vector<double> dashes; ///< on, off and so on; empty: none
 };
 
 PenStroke pen_stroke(const Pen& pen, const Sheet& sheet);
 
-/// How much of its pattern a line of dashes and dots leaves out at its start, so that a dash lies
-/// in its middle: marks cross there (ISO 128-2). 0 of dashes alone.
+/// The length of its pattern that a line of dashes and dots leaves out at its start, so that a dash
+/// lies in its middle, where lines cross (ISO 128-2). 0 for dashes alone.
 double dash_offset(const PenStroke& stroke, double length);
 
 } // namespace lineatlas

@@ -73,20 +73,20 @@ bool is_finite(const Interval& interval) {
            std::isfinite(interval.start_arc) && std::isfinite(interval.end_arc);
 }
 
-/// Neighbours have bit by bit the same.
+/// A name of an end. Ends that meet have the same name, bit by bit.
 std::uint64_t name_of_end(const float* window) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(window[0])} << 32U |
            std::bit_cast<std::uint32_t>(window[1]);
 }
 
-/// Whether what is found of a segment says where it runs: of contours, which the frame's own
-/// vertices have, and of centre lines, which hang over their ends.
+/// Whether only the intervals of a segment tell where it runs. That is so for contours, whose
+/// vertices are those of the frame, and for centre lines, which hang over their ends.
 bool goes_as_far_as_found(const LineSet& lines, std::uint32_t segment) {
     return is_contour(lines, segment) ||
            (lines.segments[segment].tag & LA_TAG_KIND_MASK) == LA_KIND_CENTRE;
 }
 
-/// A contour, as far as its intervals go.
+/// A contour as a segment, as far as its intervals go.
 std::optional<ScreenSegment> contour_segment(const Projector& projector, const Interval& first,
                                              const Interval& last) {
     const auto point = [](const float* at) { return glm::vec3{at[0], at[1], at[2]}; };
@@ -98,9 +98,9 @@ std::optional<ScreenSegment> contour_segment(const Projector& projector, const I
     return screen;
 }
 
-/// Whether an interval is one of the same straight line as those before it, of which these are the
-/// first and the last. A silhouette on a known surface has several lines in the place of one
-/// segment, each from its own start on.
+/// Whether interval `next` is of the same straight line as the intervals from `first` to `last`. A
+/// silhouette on a known surface has several lines in place of one segment, each from its own start
+/// on.
 bool is_of_same_line(const Interval& first, const Interval& last, const Interval& next) {
     if (next.segment != last.segment || next.start_sample < last.end_sample) return false;
     const auto place = [](const float* window) { return glm::dvec2{window[0], window[1]}; };
@@ -122,7 +122,7 @@ double share_along(const ScreenSegment& segment, const float* window, double hei
 
 PieceEnd make_end(const ScreenSegment& segment, const float* window, double height,
                   std::uint32_t kind, double vertex) {
-    // Exactly at the vertex, so that neighbours meet bit by bit.
+    // The end is exactly at the vertex, so that neighbours meet bit by bit.
     const bool at_it = at_vertex(kind);
     return {.t = at_it ? vertex : share_along(segment, window, height), .kind = kind};
 }

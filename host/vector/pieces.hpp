@@ -17,8 +17,8 @@ VectorPoint between(const VectorPoint& a, const VectorPoint& b, double share);
 struct ScreenSegment {
     VectorPoint p, q;
     double length = 0; ///< pixels
-    /// Of a contour, which has no vertices, what names its ends: the same for two that meet, and
-    /// for others one behind the other.
+    /// Names of the ends of a contour, which has no vertices. Ends that meet have the same name,
+    /// and so do ends that are one behind the other.
     std::uint64_t end_p = 0, end_q = 0;
 };
 
@@ -37,7 +37,7 @@ struct Piece {
     float alpha = 1;
 };
 
-/// What all stages up to the chains work on.
+/// The data of all steps up to the chains.
 struct Pieces {
     std::vector<ScreenSegment> screen;
     std::vector<Piece> list; ///< in order of the segments and along each

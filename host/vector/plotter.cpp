@@ -11,11 +11,11 @@
 namespace lineatlas {
 namespace {
 
-/// How far apart in the order two paths may be for the part between them to be turned round, and
-/// how often all are tried.
+/// The longest part of the order that is turned round, in paths, and the number of rounds in which
+/// all parts are tried.
 constexpr std::size_t longest_stretch = 128;
 constexpr int most_rounds = 6;
-/// Closed paths may start at any of their points, of which at most about so many are looked at.
+/// Closed paths may start at any of their points. At most about so many of these are tried.
 constexpr std::size_t most_starts = 64;
 
 double travel_of(std::span<const VectorPath> paths) {
@@ -39,7 +39,7 @@ std::vector<PathEnd> ends_of(std::span<const VectorPath> paths) {
     return ends;
 }
 
-/// Always on to the nearest end. `at`: where the pen is.
+/// Orders paths by always going on to the nearest end. `at`: where the pen is.
 void order_greedily(std::span<VectorPath> paths, glm::dvec2 at) {
     EndGrid grid{ends_of(paths), paths.size()};
     std::vector<VectorPath> ordered;
@@ -69,7 +69,8 @@ double squared(glm::dvec2 way) {
     return glm::dot(way, way);
 }
 
-/// What turning the part from i to j round saves. `before`: where the pen comes from.
+/// The length that is saved by turning the part from i to j round. `before`: where the pen comes
+/// from.
 double gain_of(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, std::size_t j) {
     const glm::dvec2 start = tour[i].start;
     const glm::dvec2 end = tour[j].end;
@@ -79,7 +80,7 @@ double gain_of(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, 
     return at_start + glm::distance(end, after) - glm::distance(start, after);
 }
 
-/// Cheaply whether one of the two ways would become shorter: else nothing is saved.
+/// A cheap test whether one of the two ways would become shorter. If none would, nothing is saved.
 bool may_gain(const std::vector<Stop>& tour, glm::dvec2 before, std::size_t i, std::size_t j) {
     const glm::dvec2 start = tour[i].start;
     const glm::dvec2 end = tour[j].end;
@@ -133,7 +134,8 @@ void improve(std::span<VectorPath> paths, glm::dvec2 at) {
     std::ranges::move(ordered, paths.begin());
 }
 
-/// Both ends stay where they are: lines that move by so little may come to lie along others.
+/// Adds a straight line between two ends. The ends stay at their places, because lines that move
+/// even by so little may come to lie along others.
 void bridge(VectorPath& path, const VectorPoint& to) {
     VectorPiece piece = path.pieces.back();
     piece.point = static_cast<std::uint32_t>(path.points.size() - 1);
@@ -176,7 +178,7 @@ std::vector<VectorPath> join_all(std::vector<VectorPath> paths, double gap) {
     return joined;
 }
 
-/// What comes back to its start is a contour, which machines that cut treat as one.
+/// Closes a path that comes back to its start. Machines that cut treat it as one contour.
 void close(VectorPath& path, double gap) {
     const glm::dvec2 start = path.points.front().at, end = path.points.back().at;
     constexpr std::size_t fewest_points = 4;

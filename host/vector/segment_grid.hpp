@@ -7,8 +7,8 @@
 
 namespace lineatlas {
 
-/// Straight lines on the screen, listed by the cells of a uniform grid that they pass. What lies
-/// outside the picture belongs to the cells at its border.
+/// Straight lines on the screen, listed by the cells of a uniform grid that they pass. Lines
+/// outside the picture belong to the cells at its border.
 class SegmentGrid {
   public:
     /// For a picture of `size` pixels.

@@ -18,8 +18,8 @@ struct Sheet {
     glm::dvec2 place(glm::dvec2 pixels) const { return corner + pixels * scale; }
 };
 
-/// `page`: none: the page is the picture and the margin. Throws UsageError when the margin leaves
-/// no room.
+/// Places a picture on its page. `page`: none: the page is the picture and the margin. Throws
+/// UsageError if the margin leaves no room.
 Sheet lay_out(glm::ivec2 picture, const std::optional<Page>& page, Length margin, Unit units);
 
 inline Sheet lay_out(glm::ivec2 picture, const SvgOptions& options) {

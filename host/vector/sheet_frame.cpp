@@ -19,7 +19,7 @@ constexpr double centring_mark = 5;  ///< how far it goes into the frame
 constexpr double field = 50;         ///< of the grid
 constexpr double frame_width = 0.7, grid_width = 0.35;
 constexpr double letter_height = 3.5;
-/// Up to this width, that of A4, the grid is above and on the right only.
+/// On pages up to this width, that of A4, the grid is only above and on the right.
 constexpr double narrow_page = 216;
 
 /// "A" to "Z" without I and O, then "AA".
@@ -32,8 +32,8 @@ std::string row_name(int row) {
     return name;
 }
 
-/// Where fields of the grid begin and end along a side: counted from the middle, the rest with
-/// those at the corners.
+/// The places where fields of the grid begin and end along a side. They are counted from the
+/// middle, and fields at the corners get the rest.
 std::vector<double> grid_lines(double side, double first, double last) {
     const int half = std::max(1, static_cast<int>(std::lround(0.5 * side / field)));
     std::vector<double> lines{first};
@@ -46,7 +46,7 @@ class Grid {
   public:
     Grid(SheetMarks& marks, const SheetBox& frame) : marks_(marks), frame_(frame) {}
 
-    /// Along a horizontal side; `outward`: y of the grid's border from the frame's.
+    /// Adds fields along a horizontal side. `outward`: y from the frame to the grid's border.
     void add_columns(const std::vector<double>& lines, double y, double outward) {
         for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
             if (i > 0) marks_.line({lines[i], y}, {lines[i], y + outward}, grid_width);

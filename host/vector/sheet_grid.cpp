@@ -36,8 +36,8 @@ bool has_row(const std::vector<SheetCell>& cells, int row) {
     return std::ranges::any_of(cells, [&](const SheetCell& c) { return c.row == row; });
 }
 
-/// Of the free cells that add the fewest columns and rows the one nearest to the upper right corner
-/// of the front, or by first angle to the upper left one.
+/// The free cell that adds the fewest columns and rows. Among equals it is the one nearest to the
+/// upper right of the front, or by first angle to the upper left.
 SheetCell free_cell(const std::vector<SheetCell>& taken, ProjectionAngle angle) {
     constexpr std::array columns{1, 0, -1, 2};
     constexpr std::array rows{-1, 0, 1};
@@ -58,7 +58,7 @@ SheetCell free_cell(const std::vector<SheetCell>& taken, ProjectionAngle angle) 
     return best;
 }
 
-/// Numbers columns and rows that are used from 0 on.
+/// Renumbers the used columns, or rows, from 0 on.
 void close_up(std::vector<SheetCell>& cells, int SheetCell::*number) {
     std::vector<int> used;
     for (const SheetCell& cell : cells) used.push_back(cell.*number);

@@ -19,8 +19,8 @@ struct SheetCell {
 /// Whether a view is not aligned with others.
 bool is_pictorial(std::string_view view);
 
-/// A place for each view, all of them different: aligned ones where the angle of projection puts
-/// them, pictorial ones where they add the fewest columns and rows.
+/// A different cell for each view. The angle of projection places aligned views. Pictorial views
+/// stand where they add the fewest columns and rows.
 std::vector<SheetCell> sheet_cells(const std::vector<std::string>& views, ProjectionAngle angle);
 
 } // namespace lineatlas

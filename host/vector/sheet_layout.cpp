@@ -41,8 +41,8 @@ struct Side {
     bool pictorial;
     ViewDirection direction;
     glm::dvec3 right, down; ///< of paper, in the model
-    glm::dvec2 low, high;   ///< what it takes on paper
-    glm::dvec2 middle;      ///< what stands in the middle of its cell
+    glm::dvec2 low, high;   ///< its box on paper
+    glm::dvec2 middle;      ///< the point in the middle of its cell
 
     /// How far it reaches from the middle of its cell.
     glm::dvec2 reach() const { return glm::max(high - middle, middle - low); }
@@ -126,8 +126,8 @@ std::optional<std::vector<double>> spread(const std::vector<double>& halves, dou
     return middles;
 }
 
-/// Middles of the cells of all sides in this space; nothing where they have no room. `scale`:
-/// millimetres of paper for a unit of the model.
+/// Middles of the cells of all sides in this space; nothing if they have no room. `scale`:
+/// millimetres of paper per unit of the model.
 std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, double scale,
                                                  const SheetBox& space) {
     const auto columns = spread(grid.columns, scale, space.low.x, space.high.x, grid.across);
@@ -144,7 +144,8 @@ SheetBox box_on_paper(const Side& side, glm::dvec2 place, double scale) {
     return {place + scale * (side.low - side.middle), place + scale * (side.high - side.middle)};
 }
 
-/// The same beside the title block, or where a view would meet that, above it.
+/// Middles of the cells on a page beside the title block, or above it if a view would meet the
+/// block.
 std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, double scale,
                                                  const SheetBox& frame, const SheetBox& block) {
     auto places = places_in(grid, scale, frame);
@@ -160,7 +161,7 @@ struct Fit {
     std::vector<glm::dvec2> places;
 };
 
-/// At the largest scale of ISO 5455. Throws UsageError if there is none.
+/// The layout at the largest scale of ISO 5455 that fits. Throws UsageError if none does.
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
     if (!places_on(grid, 0, frame, block))
         throw UsageError("the page has no room for so many views; take a larger page");
@@ -194,7 +195,7 @@ Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
         frame.size().x, frame.size().y, largest_fit(grid, options.unit, frame, block).scale));
 }
 
-/// Pixels of a camera's picture, and how many a unit of the model takes there.
+/// The pixels of a camera's picture, and pixels per unit of the model.
 struct Pixels {
     glm::dmat4 clip_from_world;
     glm::dvec2 size;
@@ -213,8 +214,8 @@ struct Pixels {
     }
 };
 
-/// A view of a side whose cell has its middle there. A float's rounding in the camera is taken back
-/// by scale and corner, so that views are aligned.
+/// The view of a side whose cell has its middle at `place`. Scale and corner make up for the
+/// rounding of floats in the camera, so that views are aligned.
 SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 center,
                   const Bounds& bounds) {
     constexpr double around = 8; // pixels, so that no stroke is cut off
@@ -241,7 +242,7 @@ SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 c
     return result;
 }
 
-/// Width and height in millimetres, as the sheet lies.
+/// Width and height of the sheet in millimetres, as it lies.
 glm::dvec2 page_size(const Page& page) {
     constexpr double widest_upright = 216; // A4, Letter and Legal
     const glm::dvec2 size{length_in(page.width, Unit::mm), length_in(page.height, Unit::mm)};

@@ -8,7 +8,7 @@
 namespace lineatlas {
 namespace {
 
-/// Widths of letters on an average, in heights of capitals.
+/// The average width of a letter, in heights of capitals.
 constexpr double letter_width = 0.85;
 
 std::size_t letters(const std::string& utf8) {
@@ -16,7 +16,7 @@ std::size_t letters(const std::string& utf8) {
         std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// The first letters, of more than that with dots for the rest.
+/// The first letters of a text, with dots for the rest if there is any.
 std::string first_letters(const std::string& utf8, std::size_t count) {
     if (letters(utf8) <= count) return utf8;
     const std::string dots = "...";

@@ -17,7 +17,7 @@ struct SheetBox {
     bool meets(const SheetBox& other, double clearance) const;
 };
 
-/// About how wide a text is whose capital letters are so high, whatever the font.
+/// About the width of a text with capital letters of this height, whatever the font.
 double text_width(const std::string& utf8, double height);
 
 /// Adds lines and texts of one layer to a layout.
@@ -34,7 +34,7 @@ class SheetMarks {
     void axis(glm::dvec2 from, glm::dvec2 to, double width);
     void text(glm::dvec2 at, double height, std::string text, TextAnchor anchor = TextAnchor::start,
               bool upward = false);
-    /// A text that is made lower, and at last cut, to be no wider than that.
+    /// A text that is made smaller, and at last cut, to be no wider than `width`.
     void fitted_text(glm::dvec2 at, double height, const std::string& text, double width);
 
   private:

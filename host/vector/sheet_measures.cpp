@@ -29,7 +29,7 @@ constexpr double above_line = 1;                           ///< of a text
 /// A view as its measures see it.
 struct MeasuredView {
     SheetBox box;         ///< around its lines
-    double tolerance = 0; ///< of that, millimetres
+    double tolerance = 0; ///< of the box, millimetres
     bool pictorial = false;
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model; unit vectors
 };
@@ -51,7 +51,7 @@ MeasuredView measured(const SheetView& view, const VectorDrawing& drawing) {
             .down = -row(1)};
 }
 
-/// The number with the fewest digits that is as good.
+/// The number with the fewest digits that is within the tolerance.
 double rounded(double value, double tolerance) {
     for (int digits = 0; digits < 9; ++digits) {
         const double power = std::pow(10, digits);
@@ -71,9 +71,9 @@ void add_arrow(SheetMarks& marks, glm::dvec2 tip, glm::dvec2 towards) {
     marks.polyline({back + arrow_half_width * across, tip, back - arrow_half_width * across}, thin);
 }
 
-/// A dimension's line between two points, read from the first to the second, its number above it.
-/// What has no room between the points stands beyond them: arrows, and the number behind the
-/// second.
+/// Adds the line of a dimension between two points, read from the first to the second, with its
+/// number above it. If there is no room between the points, arrows stand beyond them, and the
+/// number stands behind the second.
 void add_dimension(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to, const std::string& number) {
     const glm::dvec2 way = glm::normalize(to - from);
     const glm::dvec2 above{way.y, -way.x};
@@ -91,7 +91,7 @@ void add_dimension(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to, const std:
                number_fits ? TextAnchor::middle : TextAnchor::start, upward);
 }
 
-/// Below a view.
+/// Adds the width below a view.
 void add_width(SheetMarks& marks, const SheetBox& box, double millimetres) {
     const double y = box.high.y + line_distance;
     for (const double x : {box.low.x, box.high.x})
@@ -99,7 +99,7 @@ void add_width(SheetMarks& marks, const SheetBox& box, double millimetres) {
     add_dimension(marks, {box.low.x, y}, {box.high.x, y}, length_text(millimetres));
 }
 
-/// On the left of a view.
+/// Adds the height on the left of a view.
 void add_height(SheetMarks& marks, const SheetBox& box, double millimetres) {
     const double x = box.low.x - line_distance;
     for (const double y : {box.low.y, box.high.y})
@@ -115,8 +115,8 @@ int axis_along(glm::dvec3 direction) {
     return axis;
 }
 
-/// Sizes of the model in millimetres; `scale`: millimetres of paper for one of them. What is flat
-/// has no dimension.
+/// Adds dimensions. Returns the sizes of the model in millimetres. `scale`: millimetres of paper
+/// per millimetre of the model. Flat directions have no dimension.
 glm::dvec3 add_dimensions(SheetMarks& marks, const std::vector<MeasuredView>& views, double scale) {
     glm::dvec3 sizes{0};
     for (const MeasuredView& view : views) {
@@ -132,7 +132,7 @@ glm::dvec3 add_dimensions(SheetMarks& marks, const std::vector<MeasuredView>& vi
     return sizes;
 }
 
-/// The model's axes, below and on the left of a view.
+/// Adds the model's axes, below and on the left of a view.
 void add_axes(SheetMarks& marks, const MeasuredView& view) {
     constexpr double length = 6, distance = 14, behind_tip = 2;
     constexpr std::array names{"X", "Y", "Z"};
@@ -156,7 +156,8 @@ double round_length(double longest) {
     return power;
 }
 
-/// In the lower left corner of the frame, above a title block that is in the way.
+/// Adds a scale bar in the lower left corner of the frame, or above the title block if that is in
+/// the way.
 void add_scale_bar(SheetMarks& marks, const SheetBox& frame, double scale) {
     constexpr double tick = 2, from_left = 10, from_below = 4;
     const double longest = std::min(60.0, 0.5 * frame.size().x);

@@ -24,7 +24,7 @@ constexpr std::array fields{
     NamedField{"date", &SheetFields::date},
 };
 
-/// Where the first side of a list ends: at a comma, but for that between two numbers.
+/// The end of the first view in a list. It ends at a comma, but not at one between two numbers.
 std::size_t end_of_view(std::string_view list) {
     const std::size_t end = std::min(list.find(','), list.size());
     if (!number_from(list.substr(0, end)) || end == list.size()) return end;

@@ -57,7 +57,7 @@ void add_words(XmlElement& group, const SheetText& text, const std::string& colo
     node.set("fill", color);
 }
 
-/// What the sheet has of its own in one layer.
+/// Adds the sheet's own lines, circles and texts of one layer.
 void add_own(XmlElement& svg, const SheetLayout& layout, const std::string& layer,
              const std::string& color, bool layers) {
     XmlElement& group = svg.add("g");

@@ -14,10 +14,10 @@ void check_sheet(const VectorSheet& sheet);
 /// Where a view's picture lies, in millimetres.
 Sheet place_of(const SheetView& view, glm::dvec2 page);
 
-/// A view's name as groups and layers may have it: "front", "view_30_20".
+/// A view's name for groups and layers: "front", "view_30_20".
 std::string name_in_file(const SheetView& view);
 
-/// The style that the sheet's own lines have their colours of: that of the first view.
+/// The style from which the sheet's own lines get their colours: that of the first view.
 const Style& style_of(const VectorSheet& sheet);
 
 /// Layers of the sheet's own lines, circles and texts, each once, in order.

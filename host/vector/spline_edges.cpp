@@ -11,19 +11,20 @@
 namespace lineatlas {
 namespace {
 
-/// A curve is divided so that chords turn by less; where they turn by more it has a corner.
+/// Curves are divided so that neighbouring chords turn by less than this. If chords turn by more,
+/// the curve has a corner.
 constexpr double most_turn = 17 * std::numbers::pi / 180;
-constexpr double least_turn = 1e-4;    ///< of chords that are no straight line's
-constexpr double most_turn_beside = 3; ///< times that of the chords before and behind
-constexpr double least_kink = 5 * std::numbers::pi / 180; ///< that this is asked of
-constexpr double most_uneven = 4;   ///< chords of which one is so many times as long
+constexpr double least_turn = 1e-4;                       ///< chords that turn by less are straight
+constexpr double most_turn_beside = 3;                    ///< times the turns before and behind
+constexpr double least_kink = 5 * std::numbers::pi / 180; ///< smaller turns are not asked that
+constexpr double most_uneven = 4;                         ///< ratio of the lengths of two chords
 constexpr std::ptrdiff_t reach = 2; ///< points on either side that tell a direction
 
 double angle_between(glm::dvec3 a, glm::dvec3 b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The derivative, at one of a few points, of the polynomial through them all, whose parameter is
+/// The derivative, at one of a few points, of the polynomial through all of them. Its parameter is
 /// the way along the chords.
 glm::dvec3 derivative(std::span<const glm::dvec3> points, std::size_t at) {
     constexpr std::size_t most = 2 * reach + 1;
@@ -33,7 +34,7 @@ glm::dvec3 derivative(std::span<const glm::dvec3> points, std::size_t at) {
     glm::dvec3 sum{0};
     for (std::size_t j = 0; j < points.size(); ++j) {
         if (j == at) continue;
-        // Lagrange's polynomials: that of j falls from 1 to 0 towards `at`, that of `at` the rest.
+        // By Lagrange's polynomials. That of j is 1 at j and 0 at `at`; that of `at` has the rest.
         double slope = 1 / (way[j] - way[at]);
         for (std::size_t k = 0; k < points.size(); ++k)
             if (k != j && k != at) slope *= (way[at] - way[k]) / (way[j] - way[k]);
@@ -129,7 +130,7 @@ void SplineEdges::add_smooth(std::span<const glm::dvec3> points, std::uint32_t f
         const double most = 2 * most_turn;
         if (turn > least_turn && angle_between(out, chord) < most &&
             angle_between(in, chord) < most) {
-            // As long as those of a circle's part are.
+            // As long as the derivatives of an arc of a circle.
             const double length = glm::length(chord) / std::pow(std::cos(turn / 4), 2);
             spans_.emplace(first + static_cast<std::uint32_t>(i - 1), Span{.from = points[i - 1],
                                                                            .to = points[i],

@@ -24,16 +24,17 @@ class SplineEdges {
         double turn;         ///< angle between these
 
         glm::dvec3 at(double share) const;
-        /// Of the place on the chord next to a point; not within 0 and 1 if it lies beyond.
+        /// The share of the place on the chord next to a point; below 0 or above 1 beyond the
+        /// chord's ends.
         double share_of(glm::dvec3 point) const;
     };
-    /// That of one of Mesh::known_edges by its index, or null where the chord is the edge.
+    /// The curve of one of Mesh::known_edges, by its index; null if the edge is its chord.
     const Span* span(std::uint32_t piece) const;
 
     bool empty() const { return spans_.empty(); }
 
   private:
-    /// Of pieces that are one after the other those of an edge, and go on from place to place.
+    /// Adds consecutive pieces of one edge, each of which begins where the one before ends.
     void add_run(const Mesh& mesh, std::uint32_t first, std::uint32_t count);
     void add_smooth(std::span<const glm::dvec3> points, std::uint32_t first);
 

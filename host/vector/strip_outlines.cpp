@@ -9,21 +9,22 @@
 namespace lineatlas {
 namespace {
 
-/// Stretches with less than this between them are one, and shorter ones are none unless they are
-/// the whole strip: within half a pixel of a corner the place beside a line is beside another.
+/// Stretches with less than this between them are one stretch. Shorter stretches do not count
+/// unless they are the whole strip: within half a pixel of a corner the place beside a line is
+/// beside another line.
 constexpr double least_outline = 2; // pixels
 
 using PartsOfSegment = std::unordered_multimap<std::uint32_t, const OutlinePart*>;
 
-/// What is left of a stroke beyond a stretch is outline, too, if it is no longer than this: towards
-/// what it disappears behind, the background beside it is too narrow.
+/// The rest of a stroke beyond a stretch is outline too if it is no longer than this. Where a line
+/// disappears behind something, the background beside it gets too narrow.
 constexpr double longest_remainder = 4; // pixels
 
 glm::dvec2 from_above(glm::vec2 window, double height) {
     return {window.x, height - double{window.y}};
 }
 
-/// Where along a segment a place lies, as a share of its way, or beyond.
+/// The share of a segment's way at which a place lies; below 0 or above 1 beyond its ends.
 double share_along(const ScreenSegment& segment, glm::dvec2 place) {
     const glm::dvec2 way = segment.q.at - segment.p.at;
     return glm::dot(place - segment.p.at, way) / glm::dot(way, way);
@@ -51,7 +52,7 @@ void add_stretches(Strip& strip, const Pieces& pieces, const PartsOfSegment& par
     }
 }
 
-/// Sorted, joined over short gaps, without short ones.
+/// Sorts the stretches of a strip, joins them over short gaps, and drops short ones.
 void tidy(Strip& strip) {
     std::vector<Stretch>& stretches = strip.outlines;
     std::ranges::sort(stretches, {}, &Stretch::from);
@@ -70,7 +71,7 @@ void tidy(Strip& strip) {
             over_seam && (stretch.from < same_place || stretch.to > strip.length - same_place);
         return !at_seam && stretch.to - stretch.from < enough;
     });
-    // What overshoots the strip is as its end is.
+    // Overshoots of the strip are like its ends.
     for (Stretch& stretch : joined) {
         constexpr double far = std::numeric_limits<double>::infinity();
         if (stretch.from < least_outline) stretch.from = strip.closed ? 0 : -far;

@@ -15,9 +15,9 @@
 namespace lineatlas {
 namespace {
 
-/// Silhouettes of fine meshes zigzag: they go on through all but the sharpest turns.
+/// Silhouettes of fine meshes zigzag, so they go on through all but the sharpest turns.
 constexpr float silhouette_chain_angle = 150.0F * std::numbers::pi_v<float> / 180;
-/// Shorter strokes are flickers of visibility, pixels.
+/// Strokes shorter than this, in pixels, are flickers of visibility.
 constexpr double shortest = 0.01;
 
 /// The pieces of one segment.
@@ -127,7 +127,7 @@ class StripMaker {
         return known->second;
     }
 
-    /// At a tip each contour ends.
+    /// The node at an end of a contour. Each contour ends at a tip.
     std::uint32_t contour_node(std::uint64_t name, const VectorPoint& point) {
         if (tips_.contains(as_array(glm::vec3{point.world}))) return add_node(point);
         constexpr double same_depth = 1e-5;
@@ -141,7 +141,7 @@ class StripMaker {
 
     static std::array<float, 3> as_array(glm::vec3 at) { return {at.x, at.y, at.z}; }
 
-    /// Until it is finished, a step's segment is an index into `owns_`.
+    /// Adds a step. Until the strip is finished, the step's segment is an index into `owns_`.
     void add_step(Strip& strip, std::uint32_t own, bool reversed) const {
         const Piece& piece = pieces_.list[owns_[own].first];
         strip.steps.push_back(
@@ -183,7 +183,7 @@ class StripMaker {
     static std::uint32_t end_kind(const Strip& strip, std::uint32_t kind, bool at_strip_end,
                                   bool open) {
         if (!at_vertex(kind)) return kind;
-        if (!at_strip_end || strip.closed) return LA_END_HIDDEN; // unless the next one goes on
+        if (!at_strip_end || strip.closed) return LA_END_HIDDEN; // unless the next stroke goes on
         return open ? LA_END_PATH : LA_END_CLIPPED;
     }
 
@@ -193,7 +193,7 @@ class StripMaker {
         join_neighbours(strip);
     }
 
-    /// Those that are both visible, or both hidden.
+    /// Joins neighbouring strokes that are both visible or both hidden.
     static void join_neighbours(Strip& strip) {
         std::vector<Stroke> joined;
         for (const Stroke& stroke : strip.strokes) {
@@ -224,7 +224,7 @@ class StripMaker {
     std::vector<ChainEdge> edges_;
     std::vector<glm::vec3> nodes_;
     Nodes node_of_vertex_;
-    /// What is one behind the other has the same name.
+    /// Nodes that are one behind the other have the same name, and differ in depth.
     struct NodeAtDepth {
         double depth;
         std::uint32_t node;

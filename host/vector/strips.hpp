@@ -18,8 +18,8 @@ struct StripStep {
     double start = 0;          ///< pixels from the start of the strip
 };
 
-/// What is drawn of a strip in one go: visible all along, or hidden all along. One that grew may
-/// reach beyond the strip: straight on where that is open, and around where it is closed.
+/// A part of a strip that is drawn in one go, visible all along or hidden all along. A stroke that
+/// grew may reach beyond the strip: straight on if the strip is open, and around if it is closed.
 struct Stroke {
     double from = 0, to = 0;                    ///< pixels from the start of the strip
     std::uint32_t start_kind = 0, end_kind = 0; ///< LA_END_*: CLIPPED, JOIN (a seam), HIDDEN, PATH
@@ -29,13 +29,13 @@ struct Stroke {
     double length() const { return to - from; }
 };
 
-/// From one place of a strip to another, pixels from its start.
+/// A stretch from one place of a strip to another, pixels from the strip's start.
 struct Stretch {
     double from = 0, to = 0;
 };
 
 /// Segments that are connected on the screen: a path of the line set, or a chain of silhouettes,
-/// which are a path each there.
+/// each of which is a path in the line set.
 struct Strip {
     LineKind kind = LineKind::crease;
     std::uint32_t path = 0; ///< of its first segment
@@ -48,10 +48,10 @@ struct Strip {
     std::vector<Stroke> strokes;     ///< ascending
 };
 
-/// Silhouettes are chained at the mesh's vertices, the straightest first.
+/// Makes strips of pieces. Silhouettes are chained at the mesh's vertices, the straightest first.
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
 
-/// Says of every strip where it has the background on one side.
+/// Marks the stretches of every strip with the background on one side.
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
                    std::span<const OutlinePart> outlines, double picture_height);
 

@@ -18,13 +18,13 @@ void mark_layer(XmlElement& group, const std::string& label);
 struct SvgPage {
     std::string unit; ///< "mm", of the page and of all coordinates
     int digits;       ///< after the point
-    bool layers;      ///< marks of Inkscape are to come
+    bool layers;      ///< with marks for layers of Inkscape
 };
 
 /// The root of a document of this size.
 XmlElement svg_root(glm::dvec2 size, const SvgPage& page);
 
-/// The paper's colour, unless it is white.
+/// Adds a rectangle in the paper's colour, unless that is white.
 void add_background(XmlElement& svg, const Style& style, glm::dvec2 size, int digits);
 
 } // namespace lineatlas

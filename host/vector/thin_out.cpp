@@ -19,17 +19,17 @@ namespace {
 
 /// Paths are looked at in steps of this, pixels.
 constexpr double step = 2;
-/// What is thinned, and what is left between two such parts, is at least as long, pixels.
+/// Thinned parts, and parts between them, are at least this long, pixels.
 constexpr double least = 12;
 /// A cell of the grid, pixels a side, as of the kernel `density`.
 constexpr double cell = LA_DENSITY_CELL;
-/// What a straight line adds to the density of its own places, of which half counts before it is
-/// drawn: so the limit is met in the mean.
+/// The density that a straight line adds at its own places. Half of it counts before the line is
+/// drawn, so the limit is met in the mean.
 constexpr double own_density = 1 / (3 * cell);
 /// Paths of this length count as long, pixels.
 constexpr double long_path = 1000;
 
-/// How long the lines are that were drawn about each place.
+/// The length of lines drawn about each place.
 class Ink {
   public:
     explicit Ink(glm::dvec2 picture)
@@ -70,8 +70,8 @@ class Ink {
     std::vector<double> lengths_; ///< per cell, pixels
 };
 
-/// Calls it with the middle of every step of a path, how far that is from the start, and how long
-/// the step is.
+/// Calls `visit` with the middle of every step of a path, its distance from the start, and the
+/// length of the step.
 template <class Visit>
 void walk(const VectorPath& path, const Visit& visit) {
     double passed = 0;
@@ -93,7 +93,7 @@ double priority_of(const VectorPath& path, const Density& density) {
            double{LA_PRIORITY_CHANCE} * chance;
 }
 
-/// Outlines, then what has more priority.
+/// The order of drawing: outlines first, then by priority.
 std::vector<std::size_t> drawing_order(const std::vector<VectorPath>& paths,
                                        const Density& density) {
     std::vector<double> priorities;
@@ -130,7 +130,7 @@ bool is_in(const std::vector<Span>& parts, double place) {
     return after != parts.begin() && place < std::prev(after)->to;
 }
 
-/// Those of a path, in order, that lie in `dense` and between them.
+/// Divides a path into its parts within and between `dense`, in order.
 void divide(VectorPath&& path, const std::vector<Span>& dense, std::vector<VectorPath>& result) {
     const double whole = length_of(path);
     if (dense.front().from <= 0 && dense.front().to >= whole) {

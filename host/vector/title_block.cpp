@@ -5,12 +5,12 @@
 namespace lineatlas {
 namespace {
 
-// Millimetres of a block that is as wide as ISO 7200 has it.
+// Millimetres of a block with the width of ISO 7200.
 constexpr double full_width = 180, full_height = 32;
 constexpr double outer_width = 0.5, inner_width = 0.25;
 constexpr double label_height = 1.8, value_height = 2.5, title_height = 5;
 
-/// Places in a block of the full width, as they are in one that may be narrower.
+/// A block that may be narrower. Converts places from a block of the full width.
 class Block {
   public:
     Block(SheetLayout& layout, const SheetBox& box)
@@ -20,7 +20,7 @@ class Block {
 
     void outline() { marks_.rectangle(box_, outer_width); }
 
-    /// A field with its name in small letters; an empty one stays to be filled by hand.
+    /// A field with its name in small letters. An empty field is left to be filled by hand.
     void field(const SheetBox& box, const std::string& name, const std::string& value,
                double height = value_height) {
         marks_.rectangle({at(box.low), at(box.high)}, inner_width);

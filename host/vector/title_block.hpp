@@ -11,11 +11,11 @@ struct TitleBlockFacts {
     ProjectionAngle angle = ProjectionAngle::third;
 };
 
-/// Where the title block stands: in the lower right corner of the frame, 180 mm wide (ISO 7200), or
-/// as wide as a frame that is narrower.
+/// The place of the title block: the lower right corner of the frame, 180 mm wide (ISO 7200), or as
+/// wide as the frame if that is narrower.
 SheetBox title_block_of(const SheetBox& frame);
 
-/// Draws it.
+/// Draws the title block.
 void add_title_block(SheetLayout& layout, const SheetBox& block, const SheetFields& fields,
                      const TitleBlockFacts& facts);
 

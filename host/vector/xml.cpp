@@ -5,8 +5,8 @@
 namespace lineatlas {
 namespace {
 
-/// Appends a character. In the value of an attribute readers take what ends a line for a blank, so
-/// that is written by its number.
+/// Appends a character. In values of attributes readers would take an end of line for a blank, so
+/// it is written by its number.
 void append_escaped(std::string& to, char c, bool in_attribute) {
     if (c == '&') {
         to += "&amp;";

@@ -15,11 +15,11 @@ class XmlElement {
   public:
     explicit XmlElement(std::string name) : name_(std::move(name)) {}
 
-    /// A child behind the ones that are there; it stays where it is in memory.
+    /// Adds a child behind the others. It keeps its place in memory.
     XmlElement& add(std::string name) { return children_.emplace_back(std::move(name)); }
     XmlElement& last_child() { return children_.back(); }
 
-    /// Text and values must be what XML may hold (xml_text.hpp); they are escaped where they are
+    /// Texts and values must be allowed in XML (xml_text.hpp). They are escaped when they are
     /// written.
     void set(std::string name, std::string value) {
         attributes_.emplace_back(std::move(name), std::move(value));
@@ -36,7 +36,7 @@ class XmlElement {
     std::list<XmlElement> children_;
 };
 
-/// A document of this root, as a file has it.
+/// The text of a document with this root.
 std::string xml_document(const XmlElement& root);
 
 } // namespace lineatlas

@@ -5,8 +5,8 @@
 
 namespace lineatlas {
 
-/// Text from files and command lines as XML 1.0 may hold it: what is no UTF-8 becomes "?", control
-/// characters become blanks.
+/// Text from files and command lines in the characters of XML 1.0: bytes that are no UTF-8 become
+/// "?", control characters become blanks.
 std::string xml_text(std::string_view text);
 
 } // namespace lineatlas

@@ -16,17 +16,16 @@ glm::dvec3 middle(const Bounds& bounds) {
     return 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
 }
 
-/// Half of what the model takes along a direction.
+/// Half of the model's extent along a direction.
 double half_along(glm::dvec3 direction, const Bounds& bounds) {
     return 0.5 * glm::dot(glm::abs(direction), glm::dvec3{bounds.max} - glm::dvec3{bounds.min});
 }
 
-/// The parameter along the line at which it comes nearest to the ray; nothing where they are
-/// parallel.
+/// The parameter at which the line comes nearest to the ray; nothing if they are parallel.
 std::optional<double> nearest_to(glm::dvec3 direction, glm::dvec3 point, const Ray& ray) {
     const double cosine = glm::dot(direction, ray.direction);
     const double sine2 = 1 - cosine * cosine;
-    constexpr double least = 1e-3; // of about two degrees
+    constexpr double least = 1e-3; // about two degrees
     if (sine2 < least) return {};
     const glm::dvec3 offset = ray.origin - point;
     return (glm::dot(offset, direction) - cosine * glm::dot(offset, ray.direction)) / sine2;
@@ -78,7 +77,8 @@ std::array<glm::dvec3, 4> outline_of(const Cut& cut, const Bounds& bounds, glm::
         std::abs(cut.normal.x) < 0.7 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
     const glm::dvec3 u = glm::normalize(other - glm::dot(other, cut.normal) * cut.normal);
     const glm::dvec3 v = glm::cross(cut.normal, u);
-    constexpr double margin = 1.04; // so that it is not mistaken for a line of the model
+    // Larger, so that the outline is not mistaken for a line of the model.
+    constexpr double margin = 1.04;
     const glm::dvec3 along_u = margin * half_along(u, bounds) * u;
     const glm::dvec3 along_v = margin * half_along(v, bounds) * v;
     const glm::dvec3 at = middle_of(cut, bounds, origin);
@@ -98,7 +98,7 @@ CutMesh apply_cuts(Mesh mesh, const std::vector<Cut>& cuts, glm::dvec3 origin) {
     std::vector<SectionPlane> planes;
     for (const Cut& cut : cuts) {
         if (!cut.on) continue;
-        // By way of the text, so that it is the tool's plane to the last bit.
+        // The plane goes through its text, so that it equals the tool's plane to the last bit.
         planes.push_back(parse_section(text_of(cut), bounds));
         planes.back().point -= origin;
     }

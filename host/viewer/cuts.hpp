@@ -14,43 +14,45 @@ namespace lineatlas::viewer {
 
 /// A plane that cuts the model.
 struct Cut {
-    glm::dvec3 normal{1, 0, 0}; ///< unit vector; what lies on the side that it points to is gone
+    glm::dvec3 normal{1, 0, 0}; ///< unit vector; the part of the model on the side that it points
+                                ///< to is gone
     double at = 0; ///< the plane's distance from zero along it, in the file's coordinates
     bool on = true;
 
     bool operator==(const Cut&) const = default;
 };
 
-/// 0 to 2 where the plane lies across an axis.
+/// The axis, 0 to 2, that the plane lies across; nothing for other planes.
 std::optional<int> axis_of(const Cut& cut);
-/// The same plane; the other side is gone.
+/// The same plane with the other side gone.
 Cut flipped(const Cut& cut);
 
-/// As in `lineatlas draw --section`.
+/// The cut as `lineatlas draw --section` takes it.
 std::string text_of(const Cut& cut);
-/// `bounds`: of the model, `origin`: of these, in the file's coordinates. A plane without a side
-/// takes what lies along its axis. Throws UsageError.
+/// The cut of such a text. `bounds`: those of the model. `origin`: their origin in the file's
+/// coordinates. A plane without a side takes away the side that its axis points to. Throws
+/// UsageError.
 Cut cut_from(std::string_view text, const Bounds& bounds, glm::dvec3 origin);
 
-/// The least and the largest `Cut::at` at which a plane of that normal meets the model.
+/// The least and the largest `Cut::at` at which a plane of one normal meets the model.
 struct Reach {
     double low = 0, high = 0;
 };
 Reach reach_along(glm::dvec3 normal, const Bounds& bounds, glm::dvec3 origin);
 
-/// Where the plane passes the middle of the model; there the view has its handle.
+/// The point of the plane nearest to the middle of the model, where the view has its handle.
 glm::dvec3 middle_of(const Cut& cut, const Bounds& bounds, glm::dvec3 origin);
 /// A rectangle in the plane, about the model.
 std::array<glm::dvec3, 4> outline_of(const Cut& cut, const Bounds& bounds, glm::dvec3 origin);
-/// How far a point of the line through `handle` along `normal` goes that is dragged from one ray to
-/// another; 0 for a line that is looked along.
+/// How far a point on the line through `handle` along `normal` moves if it is dragged from one ray
+/// to another. 0 for a line that is seen end on.
 double way_along(glm::dvec3 normal, glm::dvec3 handle, const Ray& from, const Ray& to);
 
-/// What the cuts leave of a mesh. One that would take nothing or all of it is left out, with a
-/// note.
+/// The part of a mesh that cuts leave. A cut that would take nothing or everything is left out,
+/// with a note.
 struct CutMesh {
     Mesh mesh;
-    std::vector<SectionPlane> planes; ///< that cut it, as the tool would take them
+    std::vector<SectionPlane> planes; ///< the planes of the cuts, as the tool takes them
     std::vector<std::string> notes;
 };
 CutMesh apply_cuts(Mesh mesh, const std::vector<Cut>& cuts, glm::dvec3 origin);

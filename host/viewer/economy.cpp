@@ -21,13 +21,13 @@ bool is_for_outlines(const PenRule& rule) {
     return std::ranges::find(kinds, outline_name) != kinds.end();
 }
 
-/// Whether a rule tells kinds of lines apart, but not by what one looks for: colours, and lines of
-/// objects.
+/// Whether a rule tells kinds of lines apart without colours, objects or materials, which people
+/// look for.
 bool is_fine(const PenRule& rule) {
     return !rule.color && rule.match.object.empty() && rule.match.material.empty();
 }
 
-/// Whether options have what gives way here.
+/// Whether options have anything that a step of economy leaves out.
 bool has(const FrameOptions& options, Economy economy) {
     const Style& style = options.style;
     switch (economy) {
@@ -73,7 +73,8 @@ void save_time(FrameOptions& options, Economy economy, glm::ivec2 size) {
     }
 }
 
-/// Of the time of pictures drawn with `from`, what those with `to` take, which leave out more.
+/// The time of pictures with `to`, which leave out more, as a share of the time of those with
+/// `from`.
 double Pace::share_between(Economy from, Economy to) const {
     double share = 1;
     for (std::size_t i = index_of(from) + 1; i <= index_of(to); ++i)
@@ -86,14 +87,15 @@ double Pace::expected(Economy economy) const {
                             : seconds_ / share_between(economy, last_);
 }
 
-/// What lay between two pictures that took `ratio` of each other's time.
+/// Learns the shares of the steps between two pictures. ratio: the time of the second over that of
+/// the first.
 void Pace::learn(Economy from, Economy to, double ratio) {
     if (to < from) return learn(to, from, 1 / ratio);
     const std::size_t first = index_of(from) + 1, last = index_of(to);
     std::size_t steps = 0;
     for (std::size_t i = first; i <= last; ++i) steps += saves_.at(i) ? 1 : 0;
     if (steps == 0) return;
-    // Half of the way: the view has changed too.
+    // Half of the correction, because the view has changed too.
     const double error = ratio / share_between(from, to);
     const double correction = std::pow(error, 0.5 / static_cast<double>(steps));
     for (std::size_t i = first; i <= last; ++i)
@@ -102,7 +104,8 @@ void Pace::learn(Economy from, Economy to, double ratio) {
 
 void Pace::note(Economy economy, double seconds) {
     const bool is_first = !std::exchange(drawn_.at(index_of(economy)), true);
-    // Of what is drawn when nothing moves, a poor guess is better than none.
+    // A first picture also makes tables. For pictures with nothing left out a poor guess is better
+    // than none.
     if (is_first && economy != Economy::none) return;
     if (economy != last_) {
         if (count_ > 0 && !guessed_) learn(last_, economy, seconds / seconds_);
@@ -112,8 +115,8 @@ void Pace::note(Economy economy, double seconds) {
     guessed_ = is_first;
     last_ = economy;
     recent_.at(count_++ % recent_.size()) = seconds;
-    // The median, and the shorter of two: that something else has held up one of them is no reason
-    // to draw less.
+    // The median, or the shorter of two. If something else has held up one picture, that is no
+    // reason to draw less.
     std::vector<double> known{recent_.begin(), recent_.end()};
     known.resize(std::min(count_, known.size()));
     const auto middle = known.begin() + static_cast<std::ptrdiff_t>((known.size() - 1) / 2);
@@ -122,7 +125,7 @@ void Pace::note(Economy economy, double seconds) {
 }
 
 Economy Pace::choose(const FrameOptions& options, bool details_may_go) {
-    constexpr double roomy = 0.8; // or else it would go to and fro
+    constexpr double roomy = 0.8; // otherwise it would go to and fro
     for (std::size_t i = 0; i < economies; ++i)
         saves_.at(i) = has(options, static_cast<Economy>(i));
     saves_.at(index_of(Economy::details)) = details_may_go;

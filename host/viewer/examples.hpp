@@ -8,7 +8,7 @@ namespace lineatlas::viewer {
 
 /// A built-in scene that one can look at without a file.
 struct Example {
-    std::string_view scene; ///< as make_scene() takes it
+    std::string_view scene; ///< name for make_scene()
     const char* label;      ///< for people
     const char* what;
 };

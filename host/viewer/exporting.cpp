@@ -41,15 +41,15 @@ struct Placed {
     Sheet sheet;
 };
 
-/// To scale the whole model is seen from where the eye looks, on all of the page within margins;
-/// else what is seen fills it.
+/// Places the view on the page. With a scale the whole model is drawn from the eye's direction, in
+/// the page within its margins. Without one the part that is seen fills the page.
 Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawing) {
     const Page page = page_of(options);
     const Length margin = margin_of(options);
     Sheet sheet = lay_out(drawing.window, page, margin, Unit::mm);
     if (options.scale.empty()) return {drawing.view, drawing.window, sheet};
     const glm::dvec2 room = sheet.size - 2.0 * static_cast<double>(options.margin);
-    const double pixel = length_in({1, Unit::px}, Unit::mm); // of a drawing as paths, as CSS has it
+    const double pixel = length_in({1, Unit::px}, Unit::mm); // of a drawing as paths: a CSS pixel
     const glm::ivec2 size{glm::max(glm::round(room / pixel), 1.0)};
     sheet = lay_out(size, page, margin, Unit::mm);
     const View& seen = drawing.view;
@@ -61,13 +61,14 @@ Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawin
     return {view, size, sheet};
 }
 
-/// Nothing for what stands on no page.
+/// The view on its page; nothing without a page.
 std::optional<Placed> placed(const ExportOptions& options, const ExportedDrawing& drawing) {
     if (!is_on_paper(options)) return std::nullopt;
     return place_on_page(options, drawing);
 }
 
-/// The picture that is written: of pixels as many as its place on paper has at print_dpi.
+/// The picture that is written. A picture of pixels has as many as its place on paper has at
+/// print_dpi.
 SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& drawing,
                         const std::optional<Placed>& place) {
     SavedPicture picture{.model = drawing.model,

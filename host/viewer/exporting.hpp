@@ -14,7 +14,7 @@
 
 namespace lineatlas::viewer {
 
-/// What a drawing is written as.
+/// The type of file that a drawing is written to.
 enum class FileFormat { png, svg, pdf, dxf, json };
 inline constexpr std::array<const char*, 5> format_extensions{"png", "svg", "pdf", "dxf", "json"};
 
@@ -25,28 +25,29 @@ enum class Purpose { screen, print, plotter, laser };
 struct ExportOptions {
     Purpose purpose = Purpose::screen;
     FileFormat format = FileFormat::png;
-    bool sheet = false; ///< several aligned views in place of the one that is seen
+    bool sheet = false; ///< several aligned views in place of the current one
     std::vector<std::string> views = SheetOptions{}.views; ///< of a sheet
     bool measures = false;                                 ///< likewise
-    int pixels = 1;          ///< of a picture for the screen: times those of the window
-    std::string page = "a4"; ///< as parse_page() takes it
+    /// Pixels of a picture for the screen per pixel of the window and axis.
+    int pixels = 1;
+    std::string page = "a4"; ///< name for parse_page()
     std::string scale{};     ///< as in "1:2"; empty: as large as the page allows
     float margin = 10;       ///< millimetres
 
     bool operator==(const ExportOptions&) const = default;
 };
 
-/// The format in which a drawing for that is usually wanted, and what goes with it.
+/// The options with the usual format for a purpose, and the settings that go with it.
 ExportOptions suited_to(Purpose purpose, ExportOptions options);
 
-/// Whether it stands on a page: not a picture for the screen, nor JSON.
+/// Whether the drawing has a page. A picture for the screen and JSON have none.
 bool is_on_paper(const ExportOptions& options);
 
-/// What is drawn: all must outlive it.
+/// The drawing to be written. Its members must outlive it.
 struct ExportedDrawing {
     const Model& model;
-    View view;         ///< that is seen
-    glm::ivec2 window; ///< pixels in which it is seen
+    View view;         ///< the current view
+    glm::ivec2 window; ///< pixels of the view in the window
     FrameOptions options;
 };
 
@@ -58,7 +59,8 @@ struct PageView {
     glm::dvec2 high{0}; ///< its lower right corner
 };
 
-/// A page with its views, in millimetres, or in pixels without paper; from the upper left corner.
+/// A page with its views. Lengths are millimetres, or pixels without paper, from the upper left
+/// corner.
 struct ExportPage {
     glm::dvec2 size{0};
     std::string scale{};           ///< of all views; empty: none
@@ -66,7 +68,7 @@ struct ExportPage {
     std::optional<SheetLayout> sheet{};
 };
 
-/// Throws UsageError for what cannot be, such as a scale that does not fit.
+/// Lays out the page. Throws UsageError for impossible options, such as a scale that does not fit.
 ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing);
 
 /// Writes the file. Throws Error.

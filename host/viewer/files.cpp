@@ -57,7 +57,8 @@ void RecentFiles::forget_lost() {
 
 void RecentFiles::add(const fs::path& file) {
     std::error_code failure;
-    fs::path whole = fs::weakly_canonical(file, failure); // by one name, however it was given
+    fs::path whole = fs::weakly_canonical(file, failure); // a file has one name here, however it
+                                                          // was given
     if (failure || whole.string().find('\n') != std::string::npos) return;
     std::erase(all_, whole);
     all_.insert(all_.begin(), std::move(whole));

@@ -20,10 +20,11 @@ class RecentFiles {
     /// `store`: a text file with a path a line; its folder is made. Empty: nothing is kept.
     explicit RecentFiles(std::filesystem::path store);
 
-    /// Each once, of those that were there when it was looked last.
+    /// The files, each once, as far as they existed at the last look.
     const std::vector<std::filesystem::path>& all() const { return all_; }
     void forget_lost();
-    /// A store that can't be written is no failure: the file was opened all the same.
+    /// Adds a file. Ignores a store that cannot be written, because the file was opened all the
+    /// same.
     void add(const std::filesystem::path& file);
 
   private:

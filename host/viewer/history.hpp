@@ -12,7 +12,7 @@ class History {
   public:
     void clear() { states_.clear(); }
 
-    /// Takes what is now; a way forward that was not gone is forgotten.
+    /// Notes the current state. States that were undone are forgotten.
     void note(const State& now) {
         if (!states_.empty() && same(states_[at_], now)) return;
         if (!states_.empty()) states_.resize(at_ + 1);
@@ -23,7 +23,7 @@ class History {
 
     bool can_go_back() const { return !states_.empty() && at_ > 0; }
     bool can_go_forward() const { return at_ + 1 < states_.size(); }
-    /// One step, if there is one: the state to be taken.
+    /// Goes one step back or forward. Returns the state to be taken; null if there is none.
     const State* back() { return can_go_back() ? &states_[--at_] : nullptr; }
     const State* forward() { return can_go_forward() ? &states_[++at_] : nullptr; }
 

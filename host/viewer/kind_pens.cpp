@@ -11,7 +11,7 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// Of visible lines, which is what the sliders are for.
+/// Whether a rule is for kinds of visible lines alone, as the sliders are.
 bool is_for_kinds_alone(const PenRule& rule) {
     return rule.match.object.empty() && rule.match.material.empty() && !rule.match.hidden;
 }
@@ -26,14 +26,14 @@ bool is_of(const PenRule& rule, std::string_view kind) {
            rule.match.kinds.front() == kind;
 }
 
-/// Counts more than what is said of a kind.
+/// Whether a rule counts more than one for a kind.
 bool is_narrower(const PenRule& rule, std::string_view kind) {
     if (!is_for_kinds_alone(rule)) return true;
     return kind != outline_name && !rule.match.kinds.empty() && names(rule, outline_name) &&
            !names(rule, kind);
 }
 
-/// The kind's own rule: behind all others that are for it, before what is narrower.
+/// The kind's own rule. It stands behind all other rules for the kind and before narrower rules.
 PenRule& own_rule(Style& style, std::string_view kind) {
     std::vector<PenRule>& rules = style.pens;
     const auto is_general = [&](const PenRule& rule) {
@@ -41,7 +41,7 @@ PenRule& own_rule(Style& style, std::string_view kind) {
     };
     const auto last = std::ranges::find_if(rules.rbegin(), rules.rend(), is_general);
     if (last != rules.rend() && is_of(*last, kind)) return *last;
-    // After the last that is for it too, however narrow what stands before that is.
+    // It also stands after the last rule for the kind, however narrow the rules before that are.
     auto place = last.base();
     while (place != rules.end() && !is_narrower(*place, kind)) ++place;
     return *rules.insert(place, PenRule{.match = {.kinds = {std::string{kind}}}});

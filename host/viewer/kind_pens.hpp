@@ -9,16 +9,16 @@
 // that PenMatch::kinds knows; `object`: a MeshGroup::object.
 namespace lineatlas::viewer {
 
-/// What the style draws a kind with, objects and materials aside: its width and colour.
+/// The pen of a kind, objects and materials aside; its width and colour count.
 Pen pen_of_kind(const Style& style, std::string_view kind);
 
-/// From now on; the outline and rules for objects and materials still count more.
+/// Sets the width or colour of a kind. Rules for outlines, objects and materials still count more.
 void set_width_of_kind(Style& style, std::string_view kind, float width);
 void set_color_of_kind(Style& style, std::string_view kind, glm::vec3 color);
 
-/// What the style draws all lines of an object with, its outline and single kinds aside.
+/// The pen of all lines of an object, its outline and single kinds aside.
 Pen pen_of_object(const Style& style, const std::string& object);
-/// Counts more than all else that the style says.
+/// Sets the width or colour of an object. This counts more than all other rules of the style.
 void set_width_of_object(Style& style, const std::string& object, float width);
 void set_color_of_object(Style& style, const std::string& object, glm::vec3 color);
 

@@ -31,12 +31,13 @@ std::atomic<int> threads{0};
 struct Loader::Job {
     ModelSource source;
     Reader reader;
-    std::shared_ptr<const Model> model{}; ///< of which something else is to be shown; or null
+    /// A model of which something else is to be shown, or null.
+    std::shared_ptr<const Model> model{};
     Shown shown{};
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::atomic<const char*> stage{""};
     std::atomic<bool> cancelled{false};
-    std::mutex mutex; ///< of what follows
+    std::mutex mutex; ///< guards the members below
     std::function<void()> wake;
     std::optional<Result> result;
 
@@ -185,7 +186,7 @@ void Loader::cancel() {
     if (job == nullptr) return;
     job->cancelled = true;
     const std::lock_guard lock{job->mutex};
-    job->wake = nullptr; // nobody may be there to hear it
+    job->wake = nullptr; // the receiver may be gone
     job->result.reset();
 }
 

@@ -15,7 +15,7 @@ bool may_be_silhouette(const Segment& segment) {
 
 LineSet long_lines(const LineSet& lines, const Camera& camera, float pixels) {
     const glm::mat4 clip_from_world = camera.clip_from_world();
-    // Pixels of a unit of length that is seen from the side, times w.
+    // Pixels per unit of length seen from the side, times w.
     const float scale = 0.5F * camera.projection[1][1] * static_cast<float>(camera.size.y);
     const auto nearness = [&](std::uint32_t vertex) {
         return (clip_from_world * glm::vec4{lines.vertices[vertex], 1}).w;

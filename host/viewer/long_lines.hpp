@@ -7,8 +7,8 @@
 
 namespace lineatlas::viewer {
 
-/// The model without lines whose paths, seen from the side, would be shorter than so many pixels of
-/// the camera's picture. Its faces, and edges that may become silhouettes, stay.
+/// The model without lines whose paths, seen from the side, would be shorter than `pixels` pixels
+/// of the camera's picture. Faces, and edges that may become silhouettes, stay.
 LineSet long_lines(const LineSet& lines, const Camera& camera, float pixels);
 
 } // namespace lineatlas::viewer

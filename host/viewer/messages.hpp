@@ -12,7 +12,7 @@ class Messages {
         std::string text;
         bool error = false;
         double seconds_left = 0; ///< of a notice
-        int count = 1;           ///< how often in a row
+        int count = 1;           ///< times that it came in a row
     };
 
     void error(const std::string& text) {
@@ -39,7 +39,7 @@ class Messages {
         all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(index));
     }
     const std::vector<Message>& all() const { return all_; }
-    bool passing() const { ///< whether one goes by itself
+    bool passing() const { ///< whether a message vanishes by itself
         for (const Message& message : all_) {
             if (!message.error) return true;
         }

@@ -28,7 +28,7 @@ double distance_of(const View& view) {
     return glm::distance(glm::dvec3{view.eye}, glm::dvec3{view.target});
 }
 
-/// Length in the model of half the picture's height for what is so far ahead of the eye.
+/// Half the picture's height as a length in the model, at `depth` ahead of the eye.
 double half_height(const View& view, double depth) {
     const double parallel = distance_of(view);
     return std::tan(0.5 * static_cast<double>(view.fov_y)) *
@@ -65,8 +65,8 @@ glm::dvec3 direction_of(const View& view) {
     return glm::normalize(glm::dvec3{view.eye} - glm::dvec3{view.target});
 }
 
-/// Of a point from which one goes away. Steps are shares of the distance: between near walls, as of
-/// a room or right behind one, there would be no way out.
+/// A point to go away from, moved at least as far as the target. Steps are shares of the distance,
+/// so between near walls, as in a room, one could not get out otherwise.
 glm::dvec3 no_nearer_than_target(const View& view, glm::dvec3 point) {
     const glm::dvec3 eye = view.eye, way = point - eye;
     const double distance = glm::length(way), least = distance_of(view);
@@ -74,7 +74,7 @@ glm::dvec3 no_nearer_than_target(const View& view, glm::dvec3 point) {
     return distance > 0 ? eye + way * (least / distance) : glm::dvec3{view.target};
 }
 
-/// Between two views: the target goes straight, the eye turns about it without rolling.
+/// A view between two views. The target goes straight, and the eye turns about it without rolling.
 View between(const View& from, const View& to, double share) {
     const Horizon horizon{to.up};
     const Angles a = horizon.angles(direction_of(from)), b = horizon.angles(direction_of(to));
@@ -100,7 +100,7 @@ Ray ray_at(const View& view, glm::dvec2 point, glm::dvec2 size) {
     const glm::dvec3 aside = from_middle.x * axes.right - from_middle.y * axes.above;
     if (view.projection == Projection::perspective)
         return {view.eye, glm::normalize(axes.ahead + aside)};
-    constexpr double behind = 1e4; // pictures high: what lies behind the eye is seen, too
+    constexpr double behind = 1e4; // heights of the picture; things behind the eye are seen too
     return {glm::dvec3{view.eye} + aside - behind * half_height(view, 1) * axes.ahead, axes.ahead};
 }
 
@@ -162,7 +162,7 @@ glm::vec3 direction_to(StandardView view, glm::vec3 up) {
 
 void Navigation::set_view(const View& view) {
     view_ = view;
-    view_.near = view_.far = 0; // fitted: the eye is going to leave its place
+    view_.near = view_.far = 0; // fitted to the model, because the eye is going to move
     glide_.reset();
 }
 

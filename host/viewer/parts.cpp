@@ -11,9 +11,9 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// What is shown of a part that the file gives no name.
+/// The name that is shown for a part without a name.
 constexpr const char* unnamed = "(no name)";
-/// What may end the pattern of a part that holds others.
+/// A possible end of the pattern of a part that contains others.
 constexpr std::string_view all_within = "/*";
 
 /// Each part followed by those in it.
@@ -148,7 +148,7 @@ PartNumbers Parts::matching(std::span<const std::string> patterns,
     PartNumbers found;
     for (std::string pattern : patterns) {
         const std::string given = pattern;
-        // The part itself is meant before what is in it.
+        // The pattern first means the part itself, then the parts in it.
         if (pattern.ends_with(all_within)) pattern.resize(pattern.size() - all_within.size());
         bool any = false;
         for (std::uint32_t part = 0; part < all_.size(); ++part) {

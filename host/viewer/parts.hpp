@@ -13,18 +13,18 @@
 
 namespace lineatlas::viewer {
 
-/// Numbers of parts; what is in them is meant, too.
+/// Numbers of parts. They stand for the parts in them too.
 using PartNumbers = std::set<std::uint32_t>;
 
 /// Which parts are shown.
 struct ShownParts {
-    PartNumbers hidden{}; ///< of what is shown otherwise
-    PartNumbers only{};   ///< nothing else is shown; empty: all
+    PartNumbers hidden{}; ///< parts that are not shown
+    PartNumbers only{};   ///< only these parts are shown; empty: all
 
     bool operator==(const ShownParts&) const = default;
 };
 
-/// A pattern that means a name's letters alone.
+/// A pattern that matches this name and no other.
 std::string literal_pattern(const std::string& name);
 
 /// The parts of a model: a tree with triangles at its leaves.
@@ -36,34 +36,34 @@ class Parts {
         std::uint32_t parent = none; ///< stands before its parts
         std::uint32_t depth = 0;     ///< number of parts that it is in
         bool holds_others = false;
-        Bounds bounds; ///< of its triangles, and of those in it
+        Bounds bounds; ///< of its triangles, and of those of the parts in it
     };
 
     Parts() = default;
     explicit Parts(const LoadedMesh& loaded);
 
-    /// In the order of a tree that is written down. Empty for a model that is one part.
+    /// All parts, each before the parts in it. Empty for a model that is one part.
     const std::vector<Part>& all() const { return all_; }
-    /// The names of a part and of what it is in, as in `lineatlas draw --hide`.
+    /// The names of a part and of the parts that contain it, as in `lineatlas draw --hide`.
     std::string path_of(std::uint32_t part) const;
     /// Whether a part is one of these, or in one of them.
     bool is_among(std::uint32_t part, const PartNumbers& parts) const;
     bool is_shown(std::uint32_t part, const ShownParts& shown) const {
         return (shown.only.empty() || is_among(part, shown.only)) && !is_among(part, shown.hidden);
     }
-    /// MeshGroup::object of its triangles, each once: what rules for pens name.
+    /// MeshGroup::object of its triangles, each once. Rules for pens name these.
     std::vector<std::string> objects_of(std::uint32_t part) const;
-    /// What shows these parts and nothing else. Of what was hidden, what is in them stays so.
+    /// The choice that shows only these parts. Hidden parts within them stay hidden.
     ShownParts alone(const PartNumbers& parts, const ShownParts& before) const;
     /// The mesh without parts that are not shown, its positions as they are.
     Mesh shown(const Mesh& mesh, const ShownParts& shown) const;
-    /// The part whose triangle the ray meets first, of what is shown and not taken away by planes.
+    /// The part whose triangle the ray meets first, among parts that are shown and not cut away.
     std::optional<std::uint32_t> pick(const Mesh& mesh, const Ray& ray, const ShownParts& shown,
                                       std::span<const SectionPlane> planes) const;
 
-    /// A part as `lineatlas draw --hide` has it: a pattern that means it and what is in it.
+    /// The pattern for `lineatlas draw --hide` that means a part and the parts in it.
     std::string pattern_of(std::uint32_t part) const;
-    /// The parts that patterns mean; those that mean none are added to `unknown`.
+    /// The parts that patterns mean. Patterns that mean none are added to `unknown`.
     PartNumbers matching(std::span<const std::string> patterns,
                          std::vector<std::string>& unknown) const;
 

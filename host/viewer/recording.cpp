@@ -68,7 +68,7 @@ fs::path make_video(const fs::path& folder) {
     if (program.empty()) return {};
     fs::path video = folder;
     video += ".mp4";
-    // What players take has even sizes and colours of half the size.
+    // Players take videos with even sizes and with colours at half the resolution.
     const ChildResult result =
         run_child(program,
                   {"-nostdin", "-loglevel", "error", "-y", "-framerate", "25", "-i",

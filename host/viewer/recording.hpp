@@ -9,10 +9,10 @@
 
 namespace lineatlas::viewer {
 
-/// Pictures of a camera that moves, which are drawn one at a time.
+/// Pictures of a moving camera, drawn one at a time.
 class Recording {
   public:
-    /// Into `folder`, which is there and empty, as 0000.png and so on.
+    /// Pictures go to `folder`, an existing empty folder, as 0000.png and so on.
     Recording(std::vector<View> views, std::filesystem::path folder)
         : views_(std::move(views)), folder_(std::move(folder)) {}
 
@@ -21,8 +21,8 @@ class Recording {
     bool done() const { return drawn_ == views_.size(); }
     const std::filesystem::path& folder() const { return folder_; }
 
-    const View& view() const { return views_.at(drawn_); } ///< of the next picture
-    std::filesystem::path path() const;                    ///< the same
+    const View& view() const { return views_.at(drawn_); } ///< view of the next picture
+    std::filesystem::path path() const;                    ///< file of the next picture
     void next() { ++drawn_; }
 
   private:
@@ -33,7 +33,7 @@ class Recording {
 
 /// A turn about the vertical through the middle of the model.
 std::vector<View> turntable_views(const View& view, const Bounds& bounds, int frames);
-/// Smoothly through views, of which there are at least two; about `frames` in all.
+/// About `frames` views on a smooth way through at least two given views.
 std::vector<View> views_between(std::span<const View> views, int frames);
 
 /// A new folder in `parent`: `stem`, or the first that is free of `stem`-2 and so on. Throws
@@ -41,8 +41,8 @@ std::vector<View> views_between(std::span<const View> views, int frames);
 std::filesystem::path make_free_folder(const std::filesystem::path& parent,
                                        const std::string& stem);
 
-/// The pictures of a recording's folder as a video beside it, if `ffmpeg` is installed: its path,
-/// else an empty one. Throws Error.
+/// Makes a video of a recording's folder, beside it, if `ffmpeg` is installed. Returns its path, or
+/// an empty one without ffmpeg. Throws Error.
 std::filesystem::path make_video(const std::filesystem::path& folder);
 
 } // namespace lineatlas::viewer

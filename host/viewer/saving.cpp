@@ -19,7 +19,7 @@ std::string word(const std::string& text) {
                                                                              : "'" + text + "'";
 }
 
-/// Every setting that is not what it is without any option.
+/// The options of every setting that differs from its default.
 std::string style_arguments(const Style& style) {
     const Style plain = default_style();
     std::string text;
@@ -112,7 +112,7 @@ SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOption
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
           ImageWriter& writer) {
     SavedPicture still = picture;
-    still.options.steady = false; // nothing of the frames before
+    still.options.steady = false; // not averaged with the frames before
     const Camera camera = make_camera(picture.view, picture.size, picture.model.lines.bounds);
     if (!is_path_file(path)) return save_pixels(still, camera, path, renderer, writer);
     still.options = options_of_paths(still.options);

@@ -11,7 +11,7 @@
 
 namespace lineatlas::viewer {
 
-/// A picture to be saved: the same that `lineatlas draw` draws of this model, camera and options.
+/// A picture to be saved. `lineatlas draw` draws the same of this model, camera and options.
 struct SavedPicture {
     const Model& model;
     View view;
@@ -23,25 +23,25 @@ struct SavedPicture {
         float margin = 0; ///< millimetres
     };
     std::optional<Paper> paper{};
-    bool plotter = false;  ///< paths in the order of a pen, on no paper of their own
+    bool plotter = false;  ///< paths in the order of a pen, without a paper of their own
     bool fit_arcs = false; ///< of paths
-    float dpi = 0;         ///< of pixels; 0: not said
+    float dpi = 0;         ///< resolution of pixels; 0: not given
 };
 
-/// As pixels or paths, by extension. Throws Error.
+/// Saves pixels or paths, by extension. Throws Error.
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
           ImageWriter& writer);
 
-/// With which a renderer finds paths as the tool does, whatever is on the screen.
+/// Options with which a renderer finds paths as the tool does, whatever is on the screen.
 FrameOptions options_of_paths(FrameOptions options);
 
-/// What it finds so.
+/// The lines that a renderer finds with these options.
 SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOptions& options);
 
-/// The arguments with which `lineatlas` draws it, but for the camera.
+/// The arguments with which `lineatlas` draws the picture, except those of the camera.
 std::string command_of(const SavedPicture& picture);
 
-/// Throws FileError.
+/// Writes a text file. Throws FileError.
 void save_text(const std::string& text, const std::filesystem::path& path);
 
 /// `folder`/`stem`.`extension`, or, if there is such a file, the first that is free of

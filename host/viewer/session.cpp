@@ -24,7 +24,7 @@ namespace lineatlas::viewer {
 
 namespace {
 
-/// Of each file when it was written; none where one is not there.
+/// The times at which files were written; empty if one does not exist.
 std::vector<std::filesystem::file_time_type>
 write_times_of(const std::vector<std::filesystem::path>& files) {
     std::vector<std::filesystem::file_time_type> times;
@@ -46,11 +46,11 @@ bool same(const View& a, const View& b) {
 Session::Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake)
     : loader(std::move(wake)), writer_(writer), device_(device) {
     if (attempt([&] { renderer_ = std::make_unique<Renderer>(device_); })) return;
-    device_ = {.compute = "cpp"}; // needs nothing
+    device_ = {.compute = "cpp"}; // needs no driver
     renderer_ = std::make_unique<Renderer>(device_);
 }
 
-/// Tells of what fails.
+/// Runs an action and reports its failure.
 bool Session::attempt(const std::function<void()>& action) {
     try {
         action();
@@ -90,14 +90,14 @@ void Session::open_models(const std::vector<std::filesystem::path>& files) {
         return messages.error(fmt::format("There may be {} files in a scene", most_models));
     forget_awaited();
     if (added) await_the_same();
-    // What was the only file is a part of its name from now on.
+    // The file that was alone becomes a part with its name.
     if (added && model_->source.files.size() == 1)
         for (std::string& pattern : awaited_->hidden)
             pattern = literal_pattern(model_->source.name()) + "/" + pattern;
     loader.start(std::move(source));
 }
 
-/// A model that is read from now on stands alone.
+/// Forgets the choices that wait for the next model, which then stands alone.
 void Session::forget_awaited() {
     keeps_view_ = false;
     awaited_.reset();
@@ -111,7 +111,7 @@ void Session::reload() {
     loader.start(model_->source);
 }
 
-/// What is shown of the model that is there is shown of the one that is read now.
+/// Makes the next model show the same parts and cuts as the current one.
 void Session::await_the_same() {
     keeps_view_ = true;
     awaited_ = in_words();
@@ -120,7 +120,7 @@ void Session::await_the_same() {
 void Session::look_at_file() {
     if (model_ == nullptr || model_->source.files.empty() || loader.busy()) return;
     const WriteTimes times = write_times_of(model_->source.files);
-    if (times.empty()) return; // they may come back
+    if (times.empty()) return; // the files may come back
     const bool at_rest = std::exchange(looked_times_, times) == times;
     if (times == read_times_ || !at_rest) return;
     read_times_ = times;
@@ -156,7 +156,7 @@ void Session::open_first_camera(const std::filesystem::path& file) {
     });
 }
 
-/// Once, when the model is there whose origin its points are taken about.
+/// Returns the first camera once, when the model is there whose origin the camera refers to.
 std::optional<View> Session::take_first_camera() {
     std::optional<View> view;
     const std::filesystem::path file = std::exchange(first_camera_, {});
@@ -251,7 +251,7 @@ void Session::show(std::shared_ptr<Model> model) {
         navigation.set_view(*first);
         views_.clear();
     } else if (before && before->source.files.size() != model_->source.files.size()) {
-        fit(); // what has come may be out of sight
+        fit(); // the new model may be out of sight
     }
     for (const std::string& note : model_->notes) messages.notice(note);
     timings.clear();
@@ -345,7 +345,7 @@ bool Session::save_picture(const std::filesystem::path& path) {
               .options = still_options(settings)},
              path, *renderer_, writer_);
         messages.notice("Saved " + path.string());
-        changed(); // the renderer's last frame was another one
+        changed(); // the renderer's last frame is not that of the window any more
     });
 }
 
@@ -411,7 +411,7 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     canvas->clear({settings.style.paper.color, 1});
     FrameOptions options = frame_options(settings, side);
     save_time(options, economy_, size_);
-    options.steady = options.steady && moving_; // at rest nothing of the frames before is left
+    options.steady = options.steady && moving_; // at rest frames are not averaged
     options.profile = profile && side == 0;
     Renderer& renderer = economy_ == Economy::details ? *sketch_ : *renderer_;
     const FrameStats stats = renderer.draw(camera, options, canvas->framebuffer());
@@ -419,7 +419,7 @@ void Session::draw_side(std::size_t side, const Camera& camera) {
     if (options.profile) ++timings_due_;
 }
 
-/// The first side by `exact`, where nothing happens before it is done.
+/// Draws the first side by `exact`, unless something happens before it is done.
 void Session::draw_refined(const Camera& camera) {
     const auto start = std::chrono::steady_clock::now();
     gl::Canvas& canvas = *canvases_[0];

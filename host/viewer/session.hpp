@@ -25,16 +25,16 @@
 
 namespace lineatlas::viewer {
 
-/// Whether two views show the same.
+/// Whether two views are the same.
 bool same(const View& a, const View& b);
 
-/// All that a viewer shows and lets one change, without its window: model, camera, settings,
-/// device, and the pictures of the last frame. Nothing a person does here throws: what fails is
-/// told by `messages`, and all is as it was.
+/// Everything that a viewer shows and lets one change, without its window: model, camera, settings,
+/// device, and the pictures of the last frame. Actions of a person never throw: `messages` reports
+/// a failure, and nothing has changed then.
 class Session {
   public:
-    /// In a current GL context, which stays current. `wake`: see Loader. The writer must outlive
-    /// it.
+    /// Needs a current GL context, which stays current. `wake`: see Loader. The writer must outlive
+    /// the session.
     Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake);
 
     Settings settings;
@@ -42,113 +42,115 @@ class Session {
     Messages messages;
     Timings timings;
     Loader loader;
-    RecentFiles recent{{}};        ///< models; nothing is kept unless that is asked for
+    RecentFiles recent{{}};        ///< models; without a store nothing is kept
     bool profile = false;          ///< keep timings
-    std::optional<glm::vec3> up{}; ///< of files to be opened; none: as each stands
+    std::optional<glm::vec3> up{}; ///< up in files to be opened; none: as each model stands
     LineOptions line_options{};    ///< the same
-    ReadLimits read_limits{};      ///< of files, those of pens too
+    ReadLimits read_limits{};      ///< limits of reading files, also those of pens
 
-    /// A model, a session or a style (.toml) or a camera (.json), by extension.
+    /// Opens a model, a session or style (.toml) or a camera (.json), by extension.
     void open(const std::filesystem::path& file) { open(std::vector{file}); }
-    /// Several at once: models side by side in one scene, what else there is in turn.
+    /// Opens several files: models side by side in one scene, other files in turn.
     void open(const std::vector<std::filesystem::path>& files);
-    bool adds = false; ///< models that are opened come to those that are there
+    bool adds = false; ///< opened models are added to the current ones
     void open_scene(const std::string& name);
-    /// The file of the model once more, seen as now.
+    /// Reads the model's file again and keeps the view.
     void reload();
-    /// Reads the file again where it is another one than at the last two looks: while it is still
-    /// being written it changes from one look to the next.
+    /// Reads the file again if it has changed and then stayed the same for two looks. A file that
+    /// is still being written changes from one look to the next.
     void look_at_file();
     /// Builds kernels again where files in LINEATLAS_KERNEL_DIR were written.
     void look_at_kernels();
     /// Whether either look may find anything.
     bool has_files_to_look_at() const;
-    /// The view from which the next model is seen first.
+    /// Sets the first view of the next model.
     void open_first_camera(const std::filesystem::path& file);
     const Model* model() const { return model_.get(); }
-    glm::dvec3 origin() const; ///< of what is shown, in the file's coordinates
+    glm::dvec3 origin() const; ///< origin of the model shown, in the file's coordinates
 
-    /// Which parts are shown from now on; refused where nothing would be left.
+    /// Sets which parts are shown. Refused if none would be left.
     void show_parts(ShownParts shown);
-    /// What is cut from now on.
+    /// Sets the cuts.
     void set_cuts(std::vector<Cut> cuts);
-    /// A new cut across the middle of the model, that takes what lies before it; refused where
-    /// there are as many as there may be.
+    /// Adds a cut through the middle of the model that takes away the side nearer to the eye.
+    /// Refused if there are as many cuts as allowed.
     void add_cut();
     /// The cut whose handle is near a point of the canvas, nearer than `reach` pixels.
     std::optional<std::size_t> cut_at(glm::dvec2 point, double reach) const;
     /// Moves a cut so that its handle follows from one point of the canvas to another.
     void drag_cut(std::size_t cut, glm::dvec2 from, glm::dvec2 to);
     const Bounds& whole_bounds() const { return whole_bounds_; } ///< of the model, uncut
-    /// From which angle on edges are creases, degrees; nothing: as the model looks.
+    /// Sets the angle in degrees from which on edges are creases. Nothing: chosen by the model.
     void set_crease(std::optional<float> degrees);
-    /// Where silhouettes run.
+    /// Sets where silhouettes run.
     void set_silhouettes(Silhouettes silhouettes);
-    /// Forgets what is being read or found: all stays as it was.
+    /// Cancels reading a model or finding lines. Everything stays as it was.
     void cancel_loading();
     /// The part that is seen at a point of the canvas.
     std::optional<std::uint32_t> part_at(glm::dvec2 point) const;
     PartNumbers selected{};
-    /// The part in place of those that are selected, or, if it `adds`, beside them; one that is
-    /// selected already is no more then.
+    /// Selects a part in place of the selected ones. With `adds` it is added to them, or removed
+    /// from them if it is selected already.
     void select(std::optional<std::uint32_t> part, bool adds = false);
     void hide_selected();
-    void isolate_selected(); ///< they are shown alone
+    void isolate_selected(); ///< shows them alone
     void frame_selected();
 
-    /// Takes `settings` as a step of their own, and a camera at rest as one of its. Cheap where
-    /// nothing has changed.
+    /// Notes changed settings as a step to undo, and a changed camera at rest as another step.
+    /// Cheap if nothing has changed.
     void note_step();
     void undo();
     void redo();
     void camera_back();
     void camera_forward();
 
-    /// The name or path of one; empty: plain lines.
+    /// Takes a style by its name or path; empty: plain lines.
     void use_style(const std::string& name);
     void use_device(const DeviceOptions& device);
     const DeviceOptions& device() const { return device_; }
-    std::string device_description() const; ///< with a line of what is not as one may expect
+    std::string device_description() const; ///< with a line about anything unexpected
 
     void glide_to(StandardView view);
     void look_from(glm::vec3 direction); ///< a unit vector from the model to the eye
     void toggle_projection();            ///< perspective or orthographic
-    void fit();                          ///< all of the model, from where the eye looks
-    /// What is seen at a point of the canvas, or else the model's centre.
+    void fit();                          ///< shows all of the model, in the same direction
+    /// The point of the model seen at a point of the canvas, or the model's centre if nothing is
+    /// seen there.
     glm::dvec3 point_at(glm::dvec2 point) const;
     Camera camera() const; ///< there must be a model
 
-    /// Begins or ends measuring: points are picked then, each two are a distance.
+    /// Begins or ends measuring, in which two picked points make a distance.
     void toggle_measuring();
     bool measuring() const { return measuring_; }
-    /// Takes the corner or point of the model that is seen there.
+    /// Picks the corner or point of the model that is seen at a point of the canvas.
     void measure_at(glm::dvec2 point);
     /// The first of two points, in the model's coordinates.
     const std::optional<glm::dvec3>& measured_from() const { return measured_from_; }
     /// A length of the model with its unit, if its file says one.
     std::string length_text(double length) const;
 
-    /// Files at `path`; a type of picture or paths by its extension. False if that failed.
+    /// Saves a picture or paths, by extension. Returns false if that failed, as do the others
+    /// below.
     bool save_picture(const std::filesystem::path& path);
-    /// The same as a drawing for paper, a plotter or a laser, or a sheet of several views.
+    /// Saves a drawing for paper, a plotter or a laser, or a sheet of several views.
     bool export_to(const std::filesystem::path& path, const ExportOptions& options);
-    /// The page that export_to() would write, with its views as pictures, or why there is none.
+    /// The page that export_to() would write, with its views as pictures.
     struct Preview {
         ExportPage page{};
         std::vector<std::unique_ptr<gl::Canvas>> pictures{}; ///< of its views
         std::string problem{};
     };
-    /// As it was drawn last for the options that are wanted; `pixels`: of the page's longer side.
-    /// It is drawn anew by draw_preview() where preview_due() says so.
+    /// The preview as it was drawn last, and the options of the next one. `pixels`: length of the
+    /// page's longer side. draw_preview() draws it anew if preview_due().
     const Preview& preview(const ExportOptions& options, int pixels);
     const std::string& preview_problem() const { return preview_.problem; }
     bool preview_due() const;
     void draw_preview();
     bool save_style(const std::filesystem::path& path);
     bool save_camera(const std::filesystem::path& path);
-    /// What `timings` keeps, as Trace Event Format.
+    /// Saves the frames of `timings` in Trace Event Format.
     bool save_trace(const std::filesystem::path& path);
-    /// All of it, as a file that open() and `lineatlas draw` take.
+    /// Saves the whole session as a file that open() and `lineatlas draw` take.
     bool save_session(const std::filesystem::path& path);
     /// Where the session was opened or saved last; empty: nowhere yet.
     const std::filesystem::path& session_path() const { return session_path_; }
@@ -157,22 +159,23 @@ class Session {
     void add_bookmark();
     void go_to_bookmark(std::size_t bookmark);
 
-    /// Pictures of a moving camera, into a new folder of `folder`; about `frames` in all. A turn
-    /// about the model, or the way through the kept views, which must be two at least.
+    /// Starts recording about `frames` pictures of a moving camera into a new folder of `folder`.
+    /// The camera turns about the model, or goes through the kept views, which must be at least
+    /// two.
     enum class Move { turntable, kept_views };
     void start_recording(Move move, const std::filesystem::path& folder, int frames);
     const std::optional<Recording>& recording() const { return recording_; }
-    /// Draws the next picture of a recording. After the last one there is none any more, and the
-    /// folder is returned.
+    /// Draws the next picture of a recording. After the last one the recording ends, and its folder
+    /// is returned.
     std::optional<std::filesystem::path> record_picture();
-    /// Those that are drawn stay.
+    /// Ends a recording. Pictures that were drawn stay.
     void cancel_recording();
-    /// Where `ffmpeg` is installed.
+    /// Makes a video of a recording, if `ffmpeg` is installed.
     void make_video_of(const std::filesystem::path& folder);
 
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
-    /// Something but the camera has changed.
+    /// Says that something other than the camera has changed.
     void changed() {
         stale_ = step_due_ = true;
         ++revision_;
@@ -184,21 +187,23 @@ class Session {
     void draw();
     /// Whether the picture is at rest and could become exact.
     bool can_refine() const;
-    /// The next picture is exact, unless something moves or changes before.
+    /// Makes the next picture exact, unless something moves or changes before.
     void refine() { refine_due_ = true; }
     bool refining() const { return refine_due_; }
-    /// Whether that may take so long that people should know.
+    /// Whether an exact picture may take so long that people should be told.
     bool refines_slowly() const { return refine_seconds_ > 0.3; }
-    /// Asked all along while a picture becomes exact; true: it stays as it was. May be none.
+    /// Asked repeatedly while an exact picture is drawn. If it returns true, the picture stays as
+    /// it was. May be empty.
     std::function<bool()> interrupted{};
     /// Whether the picture that is shown is drawn by `exact` in place of the segment atlas.
     bool refined() const { return refined_; }
-    /// How long the last picture took until it was shown: what the next ones of a movement leave
-    /// out.
+    /// Notes how long the last picture took until it was shown, which decides what the next ones of
+    /// a movement leave out.
     void note_duration(double seconds);
-    /// What gave way in the picture that is shown.
+    /// The step of economy of the picture that is shown.
     Economy economy() const { return economy_; }
-    /// Of the pictures that are shown: smaller than the window's part where pixels give way.
+    /// The size of the pictures that are shown. It is smaller than the window's part if pixels are
+    /// left out.
     glm::ivec2 size_of_pictures() const;
     /// Adds the timings that have arrived to `timings`. Returns whether there were any.
     bool take_timings();
@@ -235,12 +240,13 @@ class Session {
     ImageWriter& writer_;
     DeviceOptions device_;
     std::unique_ptr<Renderer> renderer_;
-    /// Of long lines alone, for movements: made when a large model needs it.
+    /// Draws only long lines, for movements. Made when a large model needs it.
     std::unique_ptr<Renderer> sketch_;
-    std::optional<View> sketched_; ///< where lines were long; nothing: not those of this model
+    std::optional<View> sketched_; ///< the view by which long lines were chosen; nothing: not
+                                   ///< chosen for this model
     std::shared_ptr<Model> model_;
     Bounds whole_bounds_;
-    std::optional<ShownInWords> awaited_; ///< of the model that is being read
+    std::optional<ShownInWords> awaited_; ///< choices for the model that is being read
     struct AwaitedSession {
         std::filesystem::path path;
         SessionFile session;
@@ -256,14 +262,15 @@ class Session {
     KernelFolder kernels_;
     std::optional<View> drawn_view_;
     bool stale_ = true, step_due_ = true;
-    bool keeps_view_ = false; ///< of what is being loaded
+    bool keeps_view_ = false; ///< for the model that is being loaded
     History<Settings, same> steps_;
     History<View, same> views_;
-    bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
+    /// The last picture was part of a movement and averaged with the one before.
+    bool moving_ = false;
     Economy economy_ = Economy::none; ///< of the last picture
     Pace pace_;                       ///< of this model
     std::optional<Recording> recording_;
-    /// What a preview is of.
+    /// What a preview was made of.
     struct Previewed {
         ExportOptions options{};
         View view{};
@@ -279,11 +286,11 @@ class Session {
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false, refined_ = false;
-    bool tells_pace_ = true; ///< the last picture was drawn as those of a movement are
+    bool tells_pace_ = true; ///< the last picture was drawn as in a movement
     static constexpr double unknown_seconds = 1;
-    double refine_seconds_ = unknown_seconds; ///< what it took last, of this model
-    double wanted_rest_ = 0;                  ///< seconds since what is to be shown was changed
-    Shown wanted_{};                          ///< as it was then
+    double refine_seconds_ = unknown_seconds; ///< time of the last exact picture of this model
+    double wanted_rest_ = 0;                  ///< seconds since `settings.shown` was changed
+    Shown wanted_{};                          ///< settings.shown at that time
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

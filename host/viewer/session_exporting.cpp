@@ -21,7 +21,7 @@ bool Session::export_to(const std::filesystem::path& path, const ExportOptions& 
     return attempt([&] {
         save(options, exported(), path, *renderer_, writer_);
         messages.notice("Saved " + path.string());
-        changed(); // the renderer's last frame was another one
+        changed(); // the renderer's last frame is not that of the window any more
     });
 }
 
@@ -49,7 +49,7 @@ void Session::draw_preview() {
         const double scale = preview_wanted_->pixels / std::max(size.x, size.y);
         FrameOptions options = still_options(settings);
         options.steady = false;
-        constexpr std::size_t most = 20'000; // edges that nobody waits for
+        constexpr std::size_t most = 20'000; // with more edges people would wait too long
         if (model_->lines.segments.size() < most)
             options.method = Method::exact;
         else if (options.method == Method::exact)
@@ -71,7 +71,7 @@ void Session::draw_preview() {
     } catch (const std::exception& error) {
         preview_ = {.problem = in_words_of_the_tool(error.what())};
     }
-    stale_ = true; // the renderer's last frame was another one
+    stale_ = true; // the renderer's last frame is not that of the window any more
 }
 
 } // namespace lineatlas::viewer

@@ -11,7 +11,7 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// What `lineatlas draw` is told of the settings; what follows from each other is left out.
+/// The settings as options of `lineatlas draw`, without those that follow from others.
 std::vector<SessionFile::Option> options_of(const Settings& settings, glm::ivec2 size) {
     std::vector<SessionFile::Option> options;
     const auto add = [&](const char* key, std::string value) {
@@ -60,7 +60,7 @@ void Session::open_session(const std::filesystem::path& file) {
     });
 }
 
-/// Of the model that is there now.
+/// Takes the settings of a session file for the current model.
 void Session::take_session(const SessionFile& session) {
     FrameSettings frame;
     std::vector<std::string> unknown;

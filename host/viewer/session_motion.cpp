@@ -1,4 +1,4 @@
-// What a Session does so that movements are smooth, and pictures at rest exact.
+// How a Session makes movements smooth and pictures at rest exact.
 #include <glm/geometric.hpp>
 
 #include "long_lines.hpp"
@@ -20,9 +20,9 @@ bool Session::can_refine() const {
     return model_ != nullptr && due && !stale() && !navigation.gliding() && drawn_view_;
 }
 
-/// Whether movements need a sketch that is not there, or is one for another distance.
+/// Whether movements need a sketch that does not exist or was made for another distance.
 bool Session::sketch_due() const {
-    constexpr std::size_t fewest = 100'000; // others are fast, or slow for another reason
+    constexpr std::size_t fewest = 100'000; // smaller models are fast, or slow for another reason
     if (model_ == nullptr || model_->lines.segments.size() < fewest || !pace_.falls_short())
         return false;
     if (!sketched_) return true;
@@ -35,12 +35,12 @@ bool Session::sketch_due() const {
 }
 
 void Session::renew_sketch() {
-    sketched_ = navigation.view(); // if it fails, it is not tried again
+    sketched_ = navigation.view(); // a sketch that fails is not tried again
     constexpr float shortest = 25; // pixels of the window
     const LineSet lines = long_lines(model_->lines, camera(), shortest);
     if (sketch_ == nullptr) sketch_ = std::make_unique<Renderer>(device_);
     sketch_->set_lines(lines);
-    // The first picture makes kernels, shaders and tables, for which no movement should wait.
+    // The first picture makes kernels, shaders and tables. No movement should wait for them.
     FrameOptions options = frame_options(settings, 0);
     save_time(options, Economy::details, size_);
     gl::Canvas unseen{in_pixels_of(Economy::details, size_)};

@@ -31,7 +31,7 @@ std::optional<std::filesystem::path> Session::record_picture() {
         save({.model = *model_, .view = recording_->view(), .size = size_, .options = options},
              recording_->path(), *renderer_, writer_);
     });
-    changed(); // the renderer's last frame was another one
+    changed(); // the renderer's last frame is not that of the window any more
     if (!drawn) {
         recording_.reset();
         return {};

@@ -1,4 +1,4 @@
-// What of the model a Session shows.
+// Which parts of the model a Session shows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +45,7 @@ void Session::add_cut() {
     if (model_ == nullptr) return;
     std::vector<Cut> cuts = settings.shown.cuts;
     if (cuts.size() == most_sections) return messages.notice("There are six sections already");
-    // Across the axis that is looked along most, of those that no cut has yet.
+    // The cut is across the axis nearest to the line of sight, among axes without a cut.
     const View& view = navigation.goal();
     const glm::dvec3 toward = glm::normalize(glm::dvec3{view.eye} - glm::dvec3{view.target});
     const auto taken = [&](int axis) {
@@ -115,7 +115,7 @@ ShownInWords Session::in_words() const {
     return words;
 }
 
-/// As far as the model has what they name.
+/// Takes choices in words, as far as the model has the parts that they name.
 void Session::take_words(const ShownInWords& words) {
     Shown& shown = settings.shown;
     shown.crease = words.crease;
@@ -164,8 +164,8 @@ void Session::frame_selected() {
                                           view.projection));
 }
 
-/// Lines of what is wanted no more are found to their end while it is changed on and on, as by a
-/// drag, so that there is something to see; but nobody waits for them when that rests.
+/// Stops finding lines for an old choice once the choice has rested for a moment. While it keeps
+/// changing, as in a drag, old lines are found to their end, so that there is something to see.
 void Session::restart_stale_job(double seconds) {
     constexpr double rest = 0.15;
     wanted_rest_ = wanted_ == settings.shown ? wanted_rest_ + seconds : 0;
@@ -174,7 +174,7 @@ void Session::restart_stale_job(double seconds) {
     if (found != nullptr && !(*found == settings.shown) && wanted_rest_ > rest) loader.cancel();
 }
 
-/// Finds the lines of what is to be shown, where that is something else than what is.
+/// Starts finding lines if the wanted parts and cuts differ from those shown.
 void Session::show_wanted() {
     if (model_ == nullptr || loader.busy() || settings.shown == model_->shown) return;
     keeps_view_ = true;

@@ -35,24 +35,24 @@ inline const char* label_of(Method method) {
     return method_labels.at(static_cast<std::size_t>(method)).label;
 }
 
-/// Everything about the pictures but model, camera and device.
+/// Everything about the pictures except model, camera and device.
 struct Settings {
     std::array<Side, 2> sides{{{}, {.method = Method::opengl}}};
     bool split = false;
     float split_at = 0.5F;               ///< share of the width that shows the first side
     std::optional<LineKindMask> lines{}; ///< FrameOptions::lines
-    std::string style_name;              ///< where the style comes from; empty: plain lines
+    std::string style_name;              ///< name or path of the style; empty: plain lines
     Style style = default_style();
     Shown shown{};
     bool steady = true;
-    /// Where the segment atlas is chosen, a picture at rest is drawn by `exact`.
+    /// If the segment atlas is chosen, pictures at rest are drawn by `exact`.
     bool exact_at_rest = true;
     std::vector<SessionFile::NamedView> bookmarks{};
-    /// Points between which is measured, in the model's coordinates.
+    /// Measured distances, as pairs of points in the model's coordinates.
     std::vector<std::array<glm::dvec3, 2>> distances{};
 };
 
-/// Whether two draw alike.
+/// Whether two settings draw alike.
 bool same(const Settings& a, const Settings& b);
 
 inline FrameOptions frame_options(const Settings& settings, std::size_t side) {
@@ -64,17 +64,17 @@ inline FrameOptions frame_options(const Settings& settings, std::size_t side) {
     options.step = chosen.step;
     options.lines = settings.lines;
     options.style = settings.style;
-    // Two pictures in turn have no frame before that they could be averaged with.
+    // The two pictures of a split screen have no frame before to be averaged with.
     options.steady = settings.steady && !settings.split;
     return options;
 }
 
-/// Whether a picture at rest is drawn by another method than one of a movement.
+/// Whether pictures at rest are drawn by another method than those of a movement.
 inline bool is_refined(const Settings& settings) {
     return settings.exact_at_rest && !settings.split && settings.sides[0].method == Method::atlas;
 }
 
-/// Of the first side's picture when nothing moves.
+/// Options of the first side's picture when nothing moves.
 inline FrameOptions still_options(const Settings& settings) {
     FrameOptions options = frame_options(settings, 0);
     if (is_refined(settings)) options.method = Method::exact;

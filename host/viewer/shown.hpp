@@ -16,25 +16,25 @@ struct Shown {
     ShownParts parts{};
     std::vector<Cut> cuts{};       ///< at most `most_sections`
     std::optional<float> crease{}; ///< LineOptions::crease in degrees
-    /// LineOptions::silhouettes; none: as the tool has them.
+    /// LineOptions::silhouettes; none: as in the tool.
     std::optional<Silhouettes> silhouettes{};
 
     bool operator==(const Shown&) const = default;
 };
 
-/// As options have it.
+/// The word for it in options.
 inline std::string word_of(Silhouettes silhouettes) {
     return std::string{silhouettes_names.at(static_cast<std::size_t>(silhouettes))};
 }
 
-/// The same in words, which outlive the numbers of parts.
+/// The choices of Shown in words, which stay valid when numbers of parts change.
 struct ShownInWords {
     struct Plane {
-        std::string text; ///< as `lineatlas draw --section` has it
+        std::string text; ///< as in `lineatlas draw --section`
         bool on = true;
     };
-    std::vector<std::string> hidden{}; ///< as --hide has them
-    std::vector<std::string> only{};   ///< as --only has them
+    std::vector<std::string> hidden{}; ///< as in --hide
+    std::vector<std::string> only{};   ///< as in --only
     std::vector<Plane> cuts{};
     std::optional<float> crease{};
     std::optional<Silhouettes> silhouettes{};

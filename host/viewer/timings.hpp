@@ -17,17 +17,17 @@ class Timings {
     void add(std::span<const FrameProfile> frames);
     void clear();
 
-    /// In the order in which they first came, and so of the data flow.
+    /// The stages in the order in which they first came, which is that of the data flow.
     const std::vector<std::string>& stages() const { return stages_; }
     struct Frame {
         double total = 0;           ///< milliseconds
-        std::vector<double> stages; ///< of each that was known then, milliseconds
+        std::vector<double> stages; ///< milliseconds of each stage that was known then
         double of(std::size_t stage) const { return stage < stages.size() ? stages[stage] : 0; }
     };
     const std::deque<Frame>& frames() const { return frames_; }
-    /// The same frames, whole.
+    /// The whole profiles of these frames.
     const std::vector<FrameProfile>& profiles() const { return profiles_; }
-    /// What a kernel did in the last frame.
+    /// The work of a kernel in the last frame.
     struct Kernel {
         std::string name;
         double milliseconds = 0, megabytes = 0; ///< 10^6 bytes: of its tables, see ProfileEvent

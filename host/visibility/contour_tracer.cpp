@@ -14,22 +14,24 @@
 namespace lineatlas {
 namespace {
 
-/// Cosines below this are those of a surface seen edge on; it counts as turned away.
+/// A surface whose cosine to the view is below this is seen edge on and counts as turned away.
 constexpr double edge_on = 1e-7;
-/// Where normals at corners say less than this, the surface is asked itself.
+/// If the cosine of a corner's normal is below this, the surface itself is asked.
 constexpr double doubtful = 1e-5;
-constexpr double most_off = 0.01;      ///< of a chord, pixels on the screen
-constexpr double most_off_deep = 0.25; ///< towards the eye, in pixels' lengths
-constexpr double longest_unasked = 2;  ///< pixels: a longer chord is halved unless it is
-constexpr double straight = 1e-5;      ///< so far, in pixels
+constexpr double most_off = 0.01;      ///< the most that a chord lies off the silhouette, pixels on
+                                       ///< the screen
+constexpr double most_off_deep = 0.25; ///< the same towards the eye, in lengths of a pixel
+constexpr double longest_unasked = 2;  ///< pixels; a longer chord is halved unless it is straight
+constexpr double straight = 1e-5;      ///< a chord this near, in pixels, is straight
 constexpr double shortest = 1e-3;      ///< pixels
-constexpr double least_ratio = 1e-7;   ///< of how a place moves by one parameter and by the other
+constexpr double least_ratio = 1e-7;   ///< least ratio of a place's motion by one parameter to that
+                                       ///< by the other
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// A place on a silhouette.
 struct Place {
     glm::dvec2 at{0};    ///< parameters of its surface
-    glm::dvec3 world{0}; ///< and where that is
+    glm::dvec3 world{0}; ///< the place in space
     glm::dvec3 normal{0};
     double radial = 0; ///< the sign of radial curvature: below 0 the surface shows its back
 };
@@ -38,7 +40,7 @@ struct Place {
 struct Node {
     Place place;
     double lift = 0;
-    double share = 0; ///< of the way along the edge
+    double share = 0; ///< share of the way along the edge
     std::uint32_t vertex = none;
 };
 
@@ -71,7 +73,7 @@ class SeenSurface {
     }
 
     /// The nearest place of the silhouette, by Newton's method along the gradient, in steps that
-    /// are shortest in space; nothing where that leads farther than `reach`, in parameters.
+    /// are shortest in space. Nothing if it leads farther than `reach`, in parameters.
     std::optional<glm::dvec2> nearest(glm::dvec2 at, double reach) const {
         const glm::dvec2 start = at;
         for (int i = 0; i < 12; ++i) {
@@ -80,7 +82,8 @@ class SeenSurface {
             const double value = glm::dot(point.normal, to_eye);
             if (point.normal == glm::dvec3{0}) return {};
             if (std::abs(value) <= 1e-12 * glm::length(to_eye)) return at;
-            // That the point moves makes no difference: it moves at right angles to the normal.
+            // The motion of the point itself adds nothing, because it is at right angles to the
+            // normal.
             const glm::dvec2 slope{glm::dot(point.normal_u, to_eye),
                                    glm::dot(point.normal_v, to_eye)};
             const glm::dvec2 step = along(point, slope);
@@ -92,7 +95,7 @@ class SeenSurface {
         return std::abs(facing(at)) < 1e-9 ? std::optional{at} : std::nullopt;
     }
 
-    /// The parameters of a tip, as a way from `other` comes to it.
+    /// The parameters of a tip, for a way that comes from `other`.
     glm::dvec2 tip_towards(glm::dvec2 tip, glm::dvec2 other) const {
         const SurfacePoint point = evaluate(shape_, tip);
         if (glm::dot(point.u, point.u) <= glm::dot(point.v, point.v))
@@ -105,7 +108,8 @@ class SeenSurface {
   private:
     glm::dvec3 way_to_eye(const glm::dvec3& at) const { return glm::dvec3{eye_} - at * eye_.w; }
 
-    /// A change by parameters as a way in them, by the first fundamental form.
+    /// The change of parameters for given products with both derivatives, by the first fundamental
+    /// form.
     static glm::dvec2 along(const SurfacePoint& point, glm::dvec2 change) {
         const double uu = glm::dot(point.u, point.u), uv = glm::dot(point.u, point.v),
                      vv = glm::dot(point.v, point.v);
@@ -114,8 +118,8 @@ class SeenSurface {
         return glm::dvec2{vv * change.x - uv * change.y, uu * change.y - uv * change.x} / area;
     }
 
-    /// How the front turns to the eye along the way to it (Koenderink 1984); 0 so near a pole that
-    /// parameters do not tell.
+    /// The sign of radial curvature: how the front turns to the eye along the way to the eye
+    /// (Koenderink 1984). 0 so near a pole that parameters do not tell.
     double radial(const SurfacePoint& point) const {
         const double u = glm::length(point.u), v = glm::length(point.v);
         if (std::min(u, v) < least_ratio * std::max(u, v)) return 0;
@@ -132,9 +136,9 @@ class SeenSurface {
     glm::dmat3 normal_turn_{1.0};
 };
 
-/// Where a function with these values at 0 and 1, of which one is below 0, changes its sign: by
-/// false position, with the end that stays weighed down (the Illinois method: Dowell and Jarratt
-/// 1971).
+/// The place from 0 to 1 where a function changes its sign. at_a and at_b are its values at 0 and
+/// 1; one of them is below 0. Uses false position, and weighs the end that stays down (the Illinois
+/// method: Dowell and Jarratt 1971).
 template <class Function>
 double root_between(double at_a, double at_b, const Function& function) {
     double a = 0, b = 1;
@@ -181,12 +185,12 @@ class ContourTracer::Frame {
     }
 
   private:
-    static constexpr double unknown = 4; ///< no cosine
+    static constexpr double unknown = 4; ///< stands for a cosine that is not known
 
     /// The silhouette through a triangle, from node to node, and places between.
     struct Crossing {
         std::uint32_t face = 0;
-        std::uint32_t from = none, to = none; ///< nodes: the front is before `from`, see contour.cl
+        std::uint32_t from = none, to = none; ///< nodes, in the direction that contour.cl gives
         glm::dvec2 from_at{0}, to_at{0};      ///< in the face's own parameters
         double lift = 0;
     };
@@ -212,7 +216,7 @@ class ContourTracer::Frame {
             const std::uint32_t face = one.place / 3;
             const glm::dvec2 at = parameters(face, one.place % 3);
             const double own = surface_of(face).facing(at);
-            if (own != 0) value = own; // a pole has no normal of its own
+            if (own != 0) value = own; // 0 at a pole, which has no normal of its own
         }
         value -= edge_on;
         return value;
@@ -226,7 +230,9 @@ class ContourTracer::Frame {
             if (is_tip(face.corners[static_cast<int>(k)])) tip = k;
         for (std::uint32_t k = 0; k < 3; ++k)
             if (k != tip) eye[k] = facing(face.corners[static_cast<int>(k)]);
-        if (tip < 3) eye[tip] = eye[(tip + 1) % 3]; // what crosses the side across runs into it
+        if (tip < 3)
+            eye[tip] = eye[(tip + 1) % 3]; // a silhouette across the opposite side runs
+                                           // into the tip
         const int fronts = (eye[0] >= 0) + (eye[1] >= 0) + (eye[2] >= 0);
         if (fronts == 0 || fronts == 3) return;
         Crossing crossing{.face = i, .lift = lift_of(face)};
@@ -244,7 +250,7 @@ class ContourTracer::Frame {
         crossings_.push_back(crossing);
     }
 
-    /// As the kernel `contour_places` lifts.
+    /// The lift of the kernel `contour_places`.
     double lift_of(const Face& face) const {
         double most = 0;
         for (int k = 0; k < 3; ++k) {
@@ -257,8 +263,8 @@ class ContourTracer::Frame {
         return LA_CONTOUR_LIFT * most;
     }
 
-    /// Where the silhouette runs into a tip. At the tip one parameter may have any value: there it
-    /// is what it is at the other end.
+    /// Ends a silhouette at a tip. At the tip one parameter may have any value, so it gets the
+    /// value at the other end.
     void end_at_tip(std::uint32_t face, std::uint32_t tip, Crossing& crossing) {
         const bool ends = crossing.to == none;
         const glm::dvec2 other = ends ? crossing.from_at : crossing.to_at;
@@ -276,7 +282,7 @@ class ContourTracer::Frame {
                             double lift, glm::dvec2& at) {
         const std::uint32_t edge = tracer_.faces_[face].edges[static_cast<int>(k)];
         const bool turned = (edge & LA_CONTOUR_TURNED) != 0;
-        // Both faces look along it in one direction, and find the same place bit by bit.
+        // Both faces go along the edge in one direction, so they find the same place bit by bit.
         glm::dvec2 a = parameters(face, k), b = parameters(face, (k + 1) % 3);
         if (turned) {
             std::swap(a, b);
@@ -301,8 +307,8 @@ class ContourTracer::Frame {
         return known;
     }
 
-    /// A surface that is elsewhere than its triangle is not believed: the place is on the edge
-    /// then.
+    /// Puts the place on the edge if the surface is far from its triangle. Such a surface is not
+    /// believed.
     void stay_beside_edge(const Face& face, std::uint32_t k, double share, Place& place) const {
         const Corner& p = tracer_.corners_[face.corners[static_cast<int>(k)]];
         const Corner& q = tracer_.corners_[face.corners[static_cast<int>((k + 1) % 3)]];
@@ -311,12 +317,13 @@ class ContourTracer::Frame {
         place.normal = p.normal;
     }
 
-    /// Whether a place may be one of an arc from p to q.
+    /// Whether a place may lie on an arc from p to q.
     static bool is_between(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& place) {
         return glm::distance(place, 0.5 * (p + q)) <= glm::distance(p, q);
     }
 
-    /// Through a corner go all silhouettes that cross edges beside it, bit by bit.
+    /// Moves a place beside a corner to the corner. So all silhouettes across edges beside the
+    /// corner meet there, bit by bit.
     void meet_corner(const Face& face, std::uint32_t k, Place& place) const {
         const glm::dvec2 here = on_screen(place.world);
         for (const std::uint32_t corner : {k, (k + 1) % 3}) {
@@ -330,7 +337,8 @@ class ContourTracer::Frame {
         return 0.5 * view_.size * (glm::dvec2{clip} / clip.w);
     }
 
-    /// Whether the chord between two places is as good as the silhouette, by the place between.
+    /// Whether the chord between two places is as good as the silhouette, judged by a place
+    /// between.
     bool is_straight(const Place& a, const Place& b, const Place& between, double most) const {
         const glm::dvec2 p = on_screen(a.world), q = on_screen(b.world);
         const glm::dvec2 way = q - p, to = on_screen(between.world) - p;
@@ -339,7 +347,7 @@ class ContourTracer::Frame {
             length > 0 ? std::abs(way.x * to.y - way.y * to.x) / length : glm::length(to);
         if (!(off < most)) return false;
         const double share = length > 0 ? glm::dot(to, way) / (length * length) : 0.5;
-        if (!(share > 0.2 && share < 0.8)) return false; // beside an end it says nothing
+        if (!(share > 0.2 && share < 0.8)) return false; // a place beside an end says nothing
         const glm::dvec3 in_space = b.world - a.world, beside = between.world - a.world;
         const double squared = glm::dot(in_space, in_space);
         if (!(squared > 0) || !(length > 0)) return true;
@@ -347,7 +355,7 @@ class ContourTracer::Frame {
         return glm::distance(beside, foot) * length < most_off_deep * std::sqrt(squared);
     }
 
-    /// Adds the places between two of a surface's, without them.
+    /// Adds the places between two places of a surface, without the two.
     void refine(const SeenSurface& surface, const Place& a, const Place& b, int depth,
                 std::vector<Place>& places) {
         constexpr int deepest = 8; // 256 chords in a triangle
@@ -355,7 +363,7 @@ class ContourTracer::Frame {
         if (depth == deepest || !(length > shortest)) return;
         const double reach = 2 * glm::distance(a.at, b.at) + 1e-9;
         const std::optional<glm::dvec2> at = surface.nearest(0.5 * (a.at + b.at), reach);
-        if (!at) return; // a chord, where the surface cannot be followed
+        if (!at) return; // the surface cannot be followed, so the chord stays
         const Place middle = surface.place(*at);
         if (!is_between(a.world, b.world, middle.world)) return;
         // One place says little of a chord that bends both ways.
@@ -366,8 +374,8 @@ class ContourTracer::Frame {
         refine(surface, middle, b, depth + 1, places);
     }
 
-    /// Where radial curvature changes its sign: the cusp, beyond which the surface hides its own
-    /// silhouette.
+    /// The cusp between two places, where radial curvature changes its sign. Beyond it the surface
+    /// hides its own silhouette.
     Place cusp_between(const SeenSurface& surface, Place a, Place b) const {
         for (int i = 0; i < 40 && glm::distance(on_screen(a.world), on_screen(b.world)) > 1e-5;
              ++i) {
@@ -408,7 +416,7 @@ class ContourTracer::Frame {
 
     void add_crossing(const Crossing& crossing) {
         const SeenSurface& surface = surface_of(crossing.face);
-        // What another face has found of an end, this one sees in its own parameters.
+        // An end may have been found by another face. This face sees it in its own parameters.
         std::vector<Place> places{surface.place(crossing.from_at)}, between;
         Place end = surface.place(crossing.to_at);
         places.front().world = nodes_[crossing.from].place.world;
@@ -434,10 +442,11 @@ class ContourTracer::Frame {
         }
     }
 
-    /// Chains, one after another: those with ends first.
+    /// Writes the chains one after another, those with ends first.
     void write() {
-        std::vector<std::uint32_t> onwards(nodes_.size(), none); // of nodes: what begins there
-        std::vector<bool> goes_on(nodes_.size(), false);         // something ends there
+        std::vector<std::uint32_t> onwards(nodes_.size(), none); // per node the crossing that
+                                                                 // begins there
+        std::vector<bool> goes_on(nodes_.size(), false);         // a crossing ends there
         for (std::uint32_t i = 0; i < crossings_.size(); ++i) {
             onwards[crossings_[i].from] = i;
             goes_on[crossings_[i].to] = true;
@@ -472,8 +481,8 @@ class ContourTracer::Frame {
     const ContourTracer& tracer_;
     const TraceView& view_;
     std::vector<SeenSurface> surfaces_;
-    std::vector<double> facing_;              ///< of corners
-    std::vector<std::uint32_t> node_of_edge_; ///< or none
+    std::vector<double> facing_;              ///< per corner
+    std::vector<std::uint32_t> node_of_edge_; ///< per edge, or none
     std::vector<Node> nodes_;
     std::vector<Crossing> crossings_;
     compute::TracedSilhouettes traced_;

@@ -13,7 +13,7 @@
 
 namespace lineatlas {
 
-/// The view by which silhouettes of surfaces are found.
+/// The view for which silhouettes of surfaces are found.
 struct TraceView {
     glm::dvec4 eye; ///< as Camera::eye()
     glm::dmat4 clip_from_world;
@@ -21,10 +21,10 @@ struct TraceView {
     bool outside = false; ///< see sees_from_outside()
 };
 
-/// The silhouettes of known surfaces (Contours::surfaces). Which there are is told by the signs of
-/// n.v at the corners of triangles, as the stage `contour` tells it (Hertzmann and Zorin 2000);
-/// where they run, by roots on the surface itself. A branch that comes and goes within one triangle
-/// is not seen.
+/// Finds the silhouettes of known surfaces (Contours::surfaces). The signs of n.v at the corners of
+/// triangles tell which silhouettes there are, as in the stage `contour` (Hertzmann and Zorin
+/// 2000). Roots on the surface itself tell where they run. A branch that begins and ends within one
+/// triangle is missed.
 class ContourTracer {
   public:
     /// `lines` need not outlive it.
@@ -38,19 +38,21 @@ class ContourTracer {
     bool traces(std::uint32_t face) const {
         return surfaces_.of_triangle[face] != KnownSurfaces::none;
     }
-    /// Of a smooth patch all faces have surfaces, or none is traced: silhouettes go on across them.
+    /// Leaves out smooth patches with faces that have no surface. Silhouettes go on from face to
+    /// face, so all faces of a patch are traced or none is.
     void leave_out_mixed();
 
     /// A triangle of contours.
     struct Face {
         glm::uvec3 corners{0}; ///< into corners_
-        glm::uvec3 edges{0};   ///< as Contours::faces
-        Segment segment{};     ///< that stands for it
+        glm::uvec3 edges{0};   ///< as in Contours::faces
+        Segment segment{};     ///< the candidate that stands for the triangle
     };
     /// A corner that triangles of a smooth patch have in common.
     struct Corner {
         glm::dvec3 at{0}, normal{0}; ///< normal: 0 at a tip
-        std::uint32_t place = 0;     ///< 3 times a face that has it, and which of its corners it is
+        std::uint32_t place = 0;     ///< 3 times the number of a face that has the corner, plus
+                                     ///< which of its corners it is
     };
 
     KnownSurfaces surfaces_;

@@ -15,12 +15,12 @@ std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineV
                                            const Wanted& wanted, const ProgressPart& progress) {
     const std::size_t chunks = lines.tables.chunks.size();
     intervals_.begin_frame(true);
-    // Stages of a chunk, as they usually are; some run again where a table was too small.
+    // The usual number of stages of a chunk. Some stages run again if a table was too small.
     constexpr float usual_stages = 12;
     float done = 0;
     const auto run = [&](const char*, const auto& action) {
         if (progress) {
-            stages_.device().finish(); // else only what was submitted would be told
+            stages_.device().finish(); // else progress would tell only what was submitted
             progress(done);
             const float left = 1 - done;
             done += std::min(left / 2, 1 / (usual_stages * static_cast<float>(chunks)));

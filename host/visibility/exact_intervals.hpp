@@ -8,12 +8,13 @@
 
 namespace lineatlas {
 
-/// A line set on a device, at its present places.
+/// A line set on a device, at its current places.
 struct PlacedLines {
     const LineTables& tables;
-    compute::Buffer& vertices; ///< in place of those of `tables`
+    compute::Buffer& vertices; ///< the current vertices, in place of those of `tables`
     std::uint32_t vertex_count, triangle_count;
-    compute::Buffer* corners = nullptr; ///< in place of those of contours; null: they stand there
+    compute::Buffer* corners = nullptr; ///< in place of the corners of contours in `tables`; null:
+                                        ///< those are current
 
     compute::SegmentTable chunk(std::size_t i) const {
         const LineTables::Chunk& part = tables.chunks[i];
@@ -30,10 +31,10 @@ struct PlacedLines {
 /// The exact method as intervals on the host, without a picture.
 class ExactIntervals {
   public:
-    /// With tables for such lines, which may move.
+    /// Makes tables for lines of this size. The lines may move.
     ExactIntervals(compute::Stages& stages, const PlacedLines& lines);
 
-    /// The lines are others, in the same tables.
+    /// Call when the tables hold other lines.
     void forget_lines() { lines_.forget_lines(); }
 
     /// What find() looks for.
@@ -42,7 +43,8 @@ class ExactIntervals {
         std::vector<OutlinePart>* outlines = nullptr; ///< to be filled
         float outline_depth = 0;                      ///< see VisibilityOptions
     };
-    /// In order of the segments; see LineVisibility::find(). If it throws, this is of no more use.
+    /// The intervals in the order of the segments, see LineVisibility::find(). If it throws, the
+    /// object cannot be used any more.
     std::vector<Interval> find(const PlacedLines& lines, const LineView& view, const Wanted& wanted,
                                const ProgressPart& progress);
 

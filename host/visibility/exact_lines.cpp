@@ -26,13 +26,13 @@ void ExactLines::make_tables(std::uint32_t fixed_segments) {
 void ExactLines::make_room(std::uint32_t segments) {
     std::size_t sums = (std::size_t{segments} + 1) * sizeof(la_uint);
     if (arcs_.bytes() >= sums) return;
-    if (arcs_) { // the first frame has found them, the next ones find others
+    if (arcs_) { // tables of the first frame fit it; later frames have other silhouettes
         if (silhouettes_grew_) segments = compute::capacity_for<ClippedSegment>(device_, segments);
         silhouettes_grew_ = true;
         sums = (std::size_t{segments} + 1) * sizeof(la_uint);
     }
     for (compute::Table* table : {&clipped_, &arcs_, &no_offsets_})
-        table->release(); // they may not fit beside others
+        table->release(); // others may not fit beside these
     clipped_.fit(segments * sizeof(ClippedSegment));
     arcs_.fit(sums);
     no_offsets_.fit(sums);

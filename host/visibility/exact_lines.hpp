@@ -14,13 +14,13 @@ namespace lineatlas {
 /// The view and the options by which the visible parts of a line set are found.
 struct LineView {
     const Camera& camera; ///< a standard camera
-    const Bounds& bounds; ///< of the model as it stands
+    const Bounds& bounds; ///< of the model at its current places
     float contact;        ///< contact_of() the model as it was made
     LineKindMask lines;
     float step; ///< FrameOptions::step: a line of one segment that is shorter is left out
     float centre_overhang = 0; ///< Style::centre_overhang, pixels
-    /// Whether anybody asks where along its path a visible part lies, or for hidden parts; else
-    /// what is hidden whole has no length.
+    /// Whether anybody asks where along its path a visible part lies, or for hidden parts. If not,
+    /// segments that are hidden as a whole get no length.
     bool measured = true;
     /// Finds silhouettes on known surfaces; null: all are found by normals of corners.
     const ContourTracer* tracer = nullptr;
@@ -28,9 +28,9 @@ struct LineView {
     glm::vec2 viewport() const { return glm::vec2{camera.size}; }
 };
 
-/// The exact method, from a line set and a camera to what is visible of each segment: lines cut
-/// against the faces before them, with neither a depth buffer nor samples. What comes of that, as
-/// strokes or intervals, is others'.
+/// The exact method, from a line set and a camera to the visible parts of each segment: cuts lines
+/// against the faces before them, with neither a depth buffer nor samples. Other classes make
+/// strokes or intervals of the parts.
 class ExactLines {
   public:
     explicit ExactLines(compute::Stages& stages)
@@ -40,7 +40,7 @@ class ExactLines {
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release();
-    /// The lines are others, in the same tables.
+    /// Call when the tables hold other lines.
     void forget_lines() {
         chains_.forget_lines();
         batches_.forget();
@@ -49,9 +49,9 @@ class ExactLines {
     /// Makes tables for another line set.
     void make_tables(std::uint32_t fixed_segments);
 
-    /// Finds what is visible, chunk by chunk. `table(chunk)`: what kernels read; `clock(name,
-    /// action)` runs a stage; `use(chunk, segments, spans)` takes what is visible of that chunk:
-    /// spans of its clipped() segments, in their order() of this frame.
+    /// Finds the visible parts, chunk by chunk. `table(chunk)` returns the tables that kernels
+    /// read. `clock(name, action)` runs a stage. `use(chunk, segments, spans)` takes the visible
+    /// spans of the chunk's clipped() segments, in this frame's order().
     template <class Table, class Clock, class Use>
     void find(const LineView& view, std::size_t chunk_count, const Table& table, Clock&& clock,
               Use&& use) {
@@ -70,7 +70,7 @@ class ExactLines {
             clock("project_clip", [&] { project_clip(view, candidates, segments); });
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
-            // Other chunks go by the lists of tiles that are there already.
+            // Later chunks use the lists of tiles of the first one.
             bool by_lists = chunk > 0, again = true;
             while (again) {
                 if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
@@ -84,10 +84,10 @@ class ExactLines {
         }
     }
 
-    /// In which the segments of the current chunk stand; waits.
+    /// The order of the current chunk's segments. Waits for the device.
     TableOrder order() const { return {chains_.first(), chains_.read_origins()}; }
-    /// Of the chunk in use, while use() runs: which parts are outline of what is `depth` pixels
-    /// deep.
+    /// The parts of the current chunk that are outline of a body at least `depth` pixels deep. Call
+    /// while use() runs.
     compute::OutlineTable outline(float depth) { return visibility_.outline(clipped(), depth); }
     /// The clipped segments of the current chunk; they have no samples.
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
@@ -106,9 +106,9 @@ class ExactLines {
     compute::Batches batches_; ///< of segments
     compute::ExactVisibility visibility_;
     compute::Table clipped_{device_, compute::table::clipped}, arcs_{device_, compute::table::arcs};
-    compute::Table no_offsets_{device_,
-                               compute::table::no_offsets}; ///< all 0: no segment has samples
-    bool silhouettes_grew_ = false;                         ///< since make_tables()
+    compute::Table no_offsets_{device_, compute::table::no_offsets}; ///< all 0, because no segment
+                                                                     ///< has samples
+    bool silhouettes_grew_ = false;                                  ///< since make_tables()
 };
 
 } // namespace lineatlas

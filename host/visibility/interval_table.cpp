@@ -52,7 +52,7 @@ std::vector<Interval> IntervalTable::read(const TableOrder& order,
 std::vector<Interval> IntervalTable::read_table() {
     std::vector<Interval> result(total_);
     if (total_ > 0) device_.download(*table_, std::as_writable_bytes(std::span{result}));
-    // Of two at a joint only one has a length, see kernels/intervals.cl.
+    // Of two intervals at a joint only one has a length, see kernels/intervals.cl.
     std::erase_if(result, [](const Interval& interval) {
         return interval.start_sample >= interval.end_sample;
     });

@@ -13,30 +13,30 @@ class IntervalTable {
   public:
     explicit IntervalTable(compute::Device& device);
 
-    /// Before the first room() of a frame. `kept`: whether the frame has intervals at all.
+    /// Call before the first room() of a frame. `kept`: whether the frame has intervals at all.
     void begin_frame(bool kept);
     bool kept() const { return kept_; }
-    /// Where a stage writes to.
+    /// The table that a stage writes to.
     struct Room {
         compute::Buffer& intervals;
         std::uint32_t capacity;
         compute::Buffer& total;
     };
-    /// Room for as many as it has grown to.
+    /// Room for as many intervals as the table has grown to.
     Room room();
     /// Waits for the number of intervals that were found in room().
     void read_total();
-    /// Enlarges the table if they exceed it; true if they must be found again.
+    /// Enlarges the table if the intervals exceed it. Returns true if they must be found again.
     bool grow();
-    /// Where segments come in chunks: the intervals of the current one, whose first segment that is
-    /// in the whole table, go to the host. `order`: of that chunk, whose samples begin at
-    /// `offsets`.
+    /// Copies the intervals of the current chunk to the host, if segments come in chunks.
+    /// `first_segment`: the chunk's first segment in the whole table. `order`, `offsets`: order and
+    /// sample offsets of that chunk.
     void keep(std::uint32_t first_segment, const TableOrder& order,
               std::span<const std::uint32_t> offsets);
-    /// Of the last frame; `order` and `offsets`: of the last chunk.
+    /// The intervals of the last frame. `order`, `offsets`: those of the last chunk.
     std::vector<Interval> read(const TableOrder& order, std::span<const std::uint32_t> offsets);
 
-    /// Of the current chunk alone, after the last read_total().
+    /// The intervals of the current chunk alone, after the last read_total().
     std::vector<Interval> read_table();
 
   private:
@@ -46,7 +46,7 @@ class IntervalTable {
     std::uint32_t capacity_;
     std::uint32_t total_ = 0;
     bool kept_ = false;
-    bool in_chunks_ = false; ///< `of_chunks_` are the frame's
+    bool in_chunks_ = false; ///< the frame's intervals are in `of_chunks_`
     std::vector<Interval> of_chunks_;
 };
 

@@ -23,8 +23,8 @@ std::span<const Segment> candidates_of(std::span<const Segment> segments) {
     return segments.subspan(first);
 }
 
-/// Whether the device has buffers for contours as the line set has them, and for all candidates
-/// together: what frames add is as much as there are silhouettes.
+/// Whether the device's buffers hold the contours of the line set, and all candidates together.
+/// Frames add only as much as there are silhouettes.
 bool has_room_for_contours(const LineSet& lines, std::span<const Segment> segments,
                            std::uint64_t largest_buffer) {
     const Contours& contours = lines.contours;
@@ -33,8 +33,8 @@ bool has_room_for_contours(const LineSet& lines, std::span<const Segment> segmen
            contours.corners.size() * sizeof(ContourCorner) <= largest_buffer;
 }
 
-/// Candidates stay together if a buffer holds them: the silhouettes among them, few of all, are
-/// chained, and any two may be neighbours.
+/// Cuts segments into chunks. Candidates stay together if a buffer holds them: the few silhouettes
+/// among them are chained, and any two may be neighbours.
 std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std::uint64_t usual,
                                           std::uint64_t largest_buffer) {
     const std::size_t candidates = candidates_of(segments).size();
@@ -46,7 +46,8 @@ std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std
     return chunks;
 }
 
-/// Finds the candidates of a chunk, and uploads where those meet that stay edges of the mesh.
+/// Finds the candidates of a chunk. Uploads where those candidates meet that stay edges of the
+/// mesh.
 void add_candidates(compute::Device& device, std::span<const Segment> segments,
                     const Contours* contours, LineTables::Chunk& chunk) {
     const std::span<const Segment> candidates = candidates_of(segments);
@@ -78,7 +79,7 @@ void add_contours(compute::Device& device, const LineSet& lines, std::span<const
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
 }
 
-/// Calls it with each face of contours, which of its sides it is, and the edge there.
+/// Calls `each` with each face of contours, the number of a side of it, and the edge there.
 template <class Each>
 void for_each_side(const Contours& contours, Each&& each) {
     for (std::uint32_t i = 0; i < contours.faces.size(); ++i) {
@@ -91,7 +92,7 @@ void for_each_side(const Contours& contours, Each&& each) {
 } // namespace
 
 EdgeEnds ends_by_vertex(std::span<const Segment> edges, std::size_t offset_count) {
-    // Calls it with every vertex where an edge ends, and what stands for that end.
+    // Calls `each` with every vertex where an edge ends, and the number of that end.
     const auto for_each_end = [&](const auto& each) {
         std::uint32_t end = 0;
         for (const Segment& edge : edges)
@@ -152,7 +153,9 @@ std::vector<glm::uvec3> contour_corners(const Contours& contours) {
 std::vector<compute::ContourFace> contour_faces(const Contours& contours) {
     constexpr std::uint32_t none = LA_NO_FACE;
     std::vector<compute::ContourFace> faces(contours.faces.size());
-    std::vector<glm::uvec2> first_sides(contours.edges.size(), glm::uvec2{none}); // face and place
+    std::vector<glm::uvec2> first_sides(contours.edges.size(), glm::uvec2{none}); // face, and
+                                                                                  // number of the
+                                                                                  // side
     for_each_side(contours, [&](std::uint32_t face, std::uint32_t k, std::uint32_t side) {
         faces[face].edges[k] = side;
         faces[face].across[k] = none;
@@ -202,7 +205,7 @@ std::uint32_t LineTables::Chunk::corner_count() const {
 }
 
 std::uint32_t LineTables::most_fixed_segments() const {
-    std::uint32_t most = 1; // a table has some size
+    std::uint32_t most = 1; // a table must not be empty
     for (const Chunk& chunk : chunks) most = std::max(most, chunk.candidates().first);
     return most;
 }
@@ -216,13 +219,13 @@ std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const
 
 std::vector<LineTables::Chunk>
 upload_segments(compute::Device& device, std::span<const Segment> segments, const LineSet* lines) {
-    // The widest table per segment decides. Once it must be cut, the strokes and intervals of a
-    // chunk shall fit too: some per segment, where all are visible and hidden in parts.
+    // The widest table per segment decides. If it must be cut, the strokes and intervals of a chunk
+    // should fit too. There are several per segment if all are partly visible.
     constexpr std::uint64_t runs_per_segment = 4;
     const std::uint64_t largest = device.largest_buffer();
     const bool has_contours = lines != nullptr && !lines->contours.empty() &&
                               has_room_for_contours(*lines, segments, largest);
-    // Without them no candidate stands for a triangle.
+    // Without contours no candidate stands for a triangle.
     if (lines != nullptr && !has_contours)
         segments = segments.first(segments.size() - lines->contours.faces.size());
     const bool is_whole = segments.size() <= largest / sizeof(ClippedSegment);

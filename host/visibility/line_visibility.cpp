@@ -40,7 +40,7 @@ void check(const VisibilityOptions& options) {
         throw UsageError("centre overhang must be a number of pixels of at least 0");
 }
 
-/// What a device is tried by.
+/// Finds intervals of the trial lines, to try a device.
 void find_trial_lines(const DeviceOptions& options) {
     const LineSet lines = trial_lines();
     LineVisibility{lines, options}.find(trial_camera(lines), {.outlines = true});
@@ -65,14 +65,14 @@ class LineVisibility::State {
                 .tracer = moving_ ? nullptr : tables_->tracer.get()};
     }
 
-    /// Looks at the lines.
+    /// Runs an action on the tables of the lines.
     template <class Action>
     auto work(const Action& action) {
         try {
             const PlacedLines lines = place();
             if (!work_) work_.emplace(stages_, lines);
             auto result = action(*work_, lines);
-            if (one_picture_) work_.reset(); // what comes next takes memory, too
+            if (one_picture_) work_.reset(); // later work takes memory, too
             return result;
         } catch (...) {
             work_.reset(); // half made

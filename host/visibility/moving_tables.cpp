@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t matrix_floats = 12, turn_floats = 9;
 
-/// Three of them, as long as a column count says.
+/// Appends three rows of `columns` numbers.
 template <int columns, class Matrix>
 void add_rows(std::vector<float>& rows, const Matrix& matrix) {
     for (int row = 0; row < 3; ++row)

@@ -19,27 +19,28 @@ class MovingTables {
     struct Shape {
         std::uint32_t vertex_count;
         std::span<const LineObject> objects;
-        std::size_t object_room;                        ///< at least as many
+        std::size_t object_room;                        ///< at least as many as there are objects
         std::span<const std::uint32_t> cluster_objects; ///< per cluster
         std::uint32_t corner_count = 0;                 ///< of contours
     };
     /// Throws DeviceError when memory runs out.
     MovingTables(compute::Stages& stages, const Shape& shape);
 
-    /// Vertices and clusters from these on are of that object.
+    /// Gives ranges of vertices and clusters to an object.
     void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
                     std::uint32_t first_cluster, std::uint32_t clusters);
 
-    /// Where transform() moves objects to. Writes tables, and so waits for kernels that were
+    /// Sets where transform() moves objects to. Writes tables, so it waits for kernels that were
     /// launched before.
     void place(std::span<const glm::mat4> world_from_object);
-    /// What is moved: as the model was made.
+    /// The tables of the model as it was made, which transform() reads.
     struct Rest {
         compute::Buffer& vertices;
         compute::Buffer* clusters; ///< null if there are none
         compute::Buffer* corners;  ///< of contours; null if there are none
     };
-    /// `drawn`: gets the vertices, too, for GL, which reads them while kernels do; null: nobody.
+    /// Moves the model. `drawn`: gets the vertices too, for GL, which reads them while kernels do;
+    /// null: GL reads none.
     void transform(const Rest& rest, compute::Buffer* drawn = nullptr);
     /// Empties the `ranges` of `temporal` for segments of objects with a 1 in `jumped`.
     void forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
@@ -55,10 +56,10 @@ class MovingTables {
     std::uint32_t vertex_count_, cluster_count_, corner_count_;
     std::unique_ptr<compute::Buffer> objects_, cluster_objects_, matrices_, jumped_;
     std::unique_ptr<compute::Buffer> vertices_, clusters_;
-    std::unique_ptr<compute::Buffer> turns_, corners_; ///< where there are contours
+    std::unique_ptr<compute::Buffer> turns_, corners_; ///< null without contours
     compute::Table unread_{
-        device_, compute::table::drawn_vertices}; ///< where nobody asks for vertices for GL
-    std::vector<float> rows_;                     ///< of matrices, kept for its memory
+        device_, compute::table::drawn_vertices}; ///< used if nobody asks for vertices for GL
+    std::vector<float> rows_;                     ///< rows of matrices, kept for its memory
 };
 
 } // namespace lineatlas

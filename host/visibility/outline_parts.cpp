@@ -6,7 +6,7 @@
 namespace lineatlas {
 namespace {
 
-/// From one place of a segment to another, in the units of intervals.
+/// A part from one place of a segment to another, in the units of intervals.
 struct Part {
     float from, to;
 };

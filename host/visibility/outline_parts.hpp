@@ -11,8 +11,8 @@
 namespace lineatlas {
 
 /// Reads the parts of a chunk's segments that have the background on one side, and appends the
-/// parts of visible intervals that lie on them. `intervals`: of the same segments, as the frame has
-/// them, in their `order`; those of the line set are numbered from `first_segment` on.
+/// parts of visible intervals that lie on them. `intervals`: those of the same segments, in the
+/// frame's `order`. Segments of the line set are numbered from `first_segment` on.
 void add_outline_parts(compute::Device& device, const compute::OutlineTable& table,
                        std::span<const Interval> intervals, const TableOrder& order,
                        std::uint32_t first_segment, std::uint32_t segment_count,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float largest_radius = 1000;
 
-/// What of the picture may hold something within the radius; empty beyond the picture.
+/// The part of the picture that may hold something within the radius; empty beyond the picture.
 PictureTile around(glm::vec2 position, float radius, glm::ivec2 size) {
     const glm::vec2 reach{radius + 1};
     const glm::vec2 most{size};
@@ -30,7 +30,8 @@ PictureTile around(glm::vec2 position, float radius, glm::ivec2 size) {
 /// The object that a vertex belongs to.
 std::uint32_t object_of(std::span<const LineObject> objects, std::uint32_t vertex) {
     const auto found = std::ranges::find_if(objects, [vertex](const LineObject& object) {
-        return vertex - object.first_vertex < object.vertex_count; // below the first: wraps around
+        return vertex - object.first_vertex < object.vertex_count; // wraps around for a vertex
+                                                                   // before the first
     });
     return found == objects.end() ? 0 : static_cast<std::uint32_t>(found - objects.begin());
 }
@@ -51,7 +52,8 @@ Nearest nearest_of(const Interval& interval, glm::vec2 position) {
             glm::mix(interval.start_depth, interval.end_depth, along)};
 }
 
-/// The point of the model that is seen there: what is halfway on the screen is not in space.
+/// The point of the model that is seen at a place of the interval. Halfway on the screen is not
+/// halfway in space.
 glm::vec3 world_of(const Interval& interval, float along, const glm::mat4& clip_from_world) {
     const glm::vec3 p{interval.start_world[0], interval.start_world[1], interval.start_world[2]};
     const glm::vec3 q{interval.end_world[0], interval.end_world[1], interval.end_world[2]};
@@ -75,7 +77,7 @@ Segment segment_at(compute::Device& device, const LineTables& tables, std::uint3
     return compute::read_one<Segment>(device, *chunk.segments, segment - chunk.range.first);
 }
 
-/// From the near plane on, through a window position.
+/// The ray from the near plane on through a window position.
 std::optional<Ray> ray_through(const Camera& camera, glm::vec2 position) {
     const glm::dmat4 world_from_clip = glm::inverse(glm::dmat4{camera.clip_from_world()});
     const glm::dvec2 seen = 2.0 * glm::dvec2{position} / glm::dvec2{camera.size} - 1.0;
@@ -107,7 +109,8 @@ std::optional<Pick> pick(ExactIntervals& found, compute::Device& device, const P
     Camera camera = view.camera;
     camera.projection = tile_projection(camera.projection, part, camera.size);
     camera.size = part.size;
-    // Of a line that the part cuts short nothing is left out for being short.
+    // A line may be short because the part of the picture cuts it, so no line is left out for being
+    // short.
     const LineView near{.camera = camera,
                         .bounds = view.bounds,
                         .contact = view.contact,
@@ -115,7 +118,7 @@ std::optional<Pick> pick(ExactIntervals& found, compute::Device& device, const P
                         .step = finest_step};
     const std::vector<Interval> intervals = found.find(lines, near, {}, ProgressPart::none());
     const glm::vec2 in_part = position - glm::vec2{part.low};
-    // Where lines meet, the one in front.
+    // Where lines meet, the one in front is picked.
     constexpr float as_near = 1e-3F;
     const Interval* best = nullptr;
     Nearest place;

@@ -11,8 +11,8 @@ namespace lineatlas {
 /// Throws UsageError for arguments that Renderer::pick() does not take.
 void check_pick(glm::vec2 position, float radius);
 
-/// What is seen at a position of the picture of `view`, see Renderer::pick(). Only the part of the
-/// picture around it is looked at; `found` is what does that. Throws as that does.
+/// The line or face that is seen at a position of the picture, see Renderer::pick(). Looks only at
+/// the part of the picture around the position, by `found`. Throws as Renderer::pick() does.
 std::optional<Pick> pick(ExactIntervals& found, compute::Device& device, const PlacedLines& lines,
                          std::span<const LineObject> objects, const LineView& view,
                          glm::vec2 position, float radius);

@@ -16,10 +16,10 @@
 namespace lineatlas {
 namespace {
 
-// Up to twice as many landmarks.
+// There are up to twice as many landmarks.
 constexpr std::size_t most_landmarks = 256;
 
-/// In pixels; nothing for a point outside the picture.
+/// The window position of a point in pixels; nothing outside the picture.
 std::optional<glm::vec2> window_position(glm::vec3 point, const glm::mat4& clip_from_object,
                                          glm::vec2 size) {
     const glm::vec4 clip = clip_from_object * glm::vec4{point, 1};
@@ -32,8 +32,8 @@ void include(Bounds& bounds, glm::vec3 point) {
     bounds.max = glm::max(bounds.max, point);
 }
 
-/// Takes everything to a point that no usual camera sees, near enough for floats to compute with
-/// its square.
+/// A matrix that takes everything to a point which no usual camera sees. The point is near enough
+/// for floats to hold squares of its distance.
 glm::mat4 matrix_away(const Bounds& bounds) {
     constexpr float diagonals = 1e6F;
     const float far = diagonals * std::max(glm::distance(bounds.min, bounds.max), 1e-6F);
@@ -41,7 +41,7 @@ glm::mat4 matrix_away(const Bounds& bounds) {
     return {glm::vec4{0}, glm::vec4{0}, glm::vec4{0}, glm::vec4{point, 1}};
 }
 
-/// How far the corners of a box move, at most; infinite if one is behind the eye.
+/// The most that a corner of a box moves on the screen; infinite if one is behind the eye.
 float largest_shift(const Bounds& box, const glm::mat4& clip_from, const glm::mat4& clip_to,
                     glm::vec2 size) {
     float largest = 0;
@@ -88,7 +88,7 @@ void SceneMotion::add_landmarks(std::uint32_t object, std::span<const glm::vec3>
         const auto vertex = static_cast<std::uint32_t>(own.first_vertex + next_landmark_);
         landmarks_.push_back({vertex, object, vertices[vertex]});
         if (landmarks_.size() < 2 * most_landmarks) continue;
-        std::size_t kept = 0; // the model has grown: half of them will do
+        std::size_t kept = 0; // the model has grown, so half of the landmarks will do
         for (std::size_t i = 0; i < landmarks_.size(); i += 2) landmarks_[kept++] = landmarks_[i];
         landmarks_.resize(kept);
         between_landmarks_ *= 2;
@@ -148,7 +148,8 @@ void SceneMotion::set_positions(std::uint32_t first, std::span<const glm::vec3> 
         const std::size_t low = std::max<std::size_t>(first, own_first);
         const std::size_t high = std::min(end, own_end);
         if (low >= high) continue;
-        // The host does not know the others: of an object that is given in parts it only grows.
+        // The host does not know the other vertices. If positions of an object come in parts, its
+        // box only grows.
         if (low == own_first && high == own_end) boxes_[i] = {};
         for (std::size_t v = low; v < high; ++v) include(boxes_[i], positions[v - first]);
     }

@@ -22,37 +22,39 @@ class SceneMotion {
     void set_transforms(std::span<const glm::mat4> world_from_object);
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
     void set_hidden(std::span<const std::uint32_t> objects);
-    /// Another one stands there, shown and where it was made, or none; it may be the next.
+    /// Replaces an object by another, shown and where it was made, or by none. `number` may be that
+    /// of the next object.
     void set_object(std::uint32_t number, const LineSet& lines, const Bounds& box);
 
     std::span<const LineObject> objects() const { return objects_; }
     std::uint32_t vertex_count() const { return vertex_count_; }
-    /// Per object; of a hidden one a matrix that takes all of it to one point far away, where its
-    /// triangles cover nothing and its lines are points (kernels/project_clip.cl).
+    /// A matrix per object. The matrix of a hidden object takes all of it to one point far away,
+    /// where its triangles cover nothing and its lines are points (kernels/project_clip.cl).
     const std::vector<glm::mat4>& transforms() const { return shown_; }
-    /// Around all of the model where it is now, hidden objects included.
+    /// Bounds of the whole model at its current places, hidden objects included.
     const Bounds& bounds() const { return bounds_; }
-    /// Counts changes of positions, and of what is hidden: frames on either side of one are not
-    /// averaged.
+    /// Counts changes of positions and of hidden objects. Frames before and after such a change are
+    /// not averaged.
     std::uint64_t shape_version() const { return shape_version_; }
 
     /// How far points of the model have moved on the screen: the median, in pixels; infinite if
     /// none can be seen in both pictures.
     float typical_motion(const Camera& from, std::span<const glm::mat4> transforms_from,
                          const Camera& to) const;
-    /// Per object a 1 if by itself it has moved on the screen by more than `most_pixels`; empty if
-    /// none has.
+    /// Per object 1 if its own motion on the screen is more than `most_pixels`; empty if no object
+    /// has moved so far.
     std::vector<std::uint8_t> jumped(std::span<const glm::mat4> transforms_from, const Camera& to,
                                      float most_pixels) const;
 
   private:
-    /// Points by which the motion of a picture is judged: some of the vertices.
+    /// One of the vertices by which the motion of a picture is judged.
     struct Landmark {
         std::uint32_t vertex, object;
         glm::vec3 position;
     };
     void update();
-    /// Of the object's vertices some, as far apart as those of others.
+    /// Takes some of an object's vertices as landmarks, as far apart in the list as those of other
+    /// objects.
     void add_landmarks(std::uint32_t object, std::span<const glm::vec3> vertices);
 
     std::vector<LineObject> objects_; ///< one if nothing moves on its own
@@ -61,7 +63,7 @@ class SceneMotion {
     std::vector<glm::mat4> transforms_;
     std::vector<std::uint8_t> hidden_; ///< per object 0 or 1
     std::vector<glm::mat4> shown_;     ///< transforms()
-    glm::mat4 away_;                   ///< of hidden ones
+    glm::mat4 away_;                   ///< the matrix of hidden objects
     std::vector<Landmark> landmarks_;
     std::size_t between_landmarks_ = 1, next_landmark_ = 0; ///< vertices
     Bounds bounds_;

@@ -6,14 +6,15 @@
 namespace lineatlas {
 namespace {
 
-/// Swaps two fields of some bits.
+/// Swaps two fields of bits, at a and b, each as wide as the mask.
 std::uint32_t swap_bits(std::uint32_t flags, std::uint32_t mask, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t at_a = flags >> a & mask;
     const std::uint32_t at_b = flags >> b & mask;
     return (flags & ~(mask << a | mask << b)) | at_a << b | at_b << a;
 }
 
-/// What intervals and runs have in common. Arc lengths count from the middle of a path.
+/// Turns the members that intervals and runs have in common. Arc lengths count from the middle of a
+/// path.
 template <class Piece>
 void turn_ends(Piece& piece, float samples) {
     std::swap(piece.start, piece.end);
@@ -43,7 +44,7 @@ void turn(Interval& interval, float samples) {
 
 void turn(Run& run) {
     turn_ends(run, static_cast<float>(run.samples));
-    // What was to the left is to the right.
+    // Left and right are swapped.
     std::swap(run.start_corner, run.end_corner);
     for (float* corner : {run.start_corner, run.end_corner}) {
         corner[0] = -corner[0];
@@ -54,8 +55,8 @@ void turn(Run& run) {
     run.flags = swap_bits(run.flags, LA_END_MASK, LA_STROKE_START_SHIFT, LA_STROKE_END_SHIFT);
 }
 
-/// In the order of their segments: those of one stand together, the other way round if it is
-/// reversed.
+/// Sorts pieces in the order of their segments. Pieces of one segment stand together, in reverse
+/// order if the segment is reversed.
 template <class Piece>
 void restore_order(const TableOrder& order, std::vector<Piece>& pieces) {
     const auto key = [&](const Piece& piece) { return order.source(piece.segment); };
@@ -78,7 +79,7 @@ void TableOrder::restore(std::vector<Interval>& intervals,
     for (Interval& interval : intervals) {
         if (!is_reversed(interval.segment)) continue;
         const std::uint32_t i = interval.segment;
-        // What is hidden whole counts as a single sample.
+        // A segment that is hidden as a whole counts as a single sample.
         const std::uint32_t samples = offsets.empty() ? 1 : offsets[i + 1] - offsets[i];
         turn(interval, static_cast<float>(std::max(samples, 1U)));
     }
@@ -105,7 +106,7 @@ void TableOrder::restore(std::uint32_t segments, std::vector<std::uint32_t>& off
                          std::vector<std::uint8_t>& samples) const {
     const std::vector<std::uint32_t> before = std::move(offsets);
     const std::vector<std::uint8_t> found = std::move(samples);
-    std::vector<std::uint32_t> position(segments, 0); // one more than that
+    std::vector<std::uint32_t> position(segments, 0); // place + 1
     for (std::uint32_t i = 0; i + 1 < before.size(); ++i) position[source(i)] = i + 1;
     offsets.assign(1, 0);
     samples.clear();

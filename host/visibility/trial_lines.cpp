@@ -34,7 +34,7 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high) {
 LineSet trial_lines() {
     Mesh mesh;
     add_box(mesh, {0, 0, 0}, {4, 1, 3});
-    for (int i = 0; i < 8; ++i) { // so many that strokes are drawn by kernels, too
+    for (int i = 0; i < 8; ++i) { // enough runs for kernels to draw strokes, too
         const glm::vec3 place{0.3F + static_cast<float>(i % 4), 0.5F,
                               0.3F + 1.4F * static_cast<float>(i / 4)};
         add_box(mesh, place, place + glm::vec3{0.9F, 1 + 0.3F * static_cast<float>(i % 3), 0.6F});

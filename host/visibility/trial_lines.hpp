@@ -9,7 +9,7 @@ namespace lineatlas {
 /// another.
 LineSet trial_lines();
 
-/// How it is looked at.
+/// The camera that looks at the trial lines.
 Camera trial_camera(const LineSet& lines);
 
 } // namespace lineatlas

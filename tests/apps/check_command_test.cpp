@@ -1,4 +1,4 @@
-// `lineatlas check`, `draw --certify` and `scene` as a user meets them.
+// `lineatlas check`, `draw --certify` and `scene`, run as by a user.
 
 #include <array>
 #include <cstdio>
@@ -47,7 +47,7 @@ class CheckCommand : public Tool {
         write("model.obj", text);
     }
 
-    /// The same far from zero, where floats are too coarse for it.
+    /// The same model far from zero, where floats are too coarse for it.
     void write_far_model() const {
         write_model();
         std::istringstream lines{content("model.obj")};
@@ -178,7 +178,8 @@ TEST_F(CheckCommand, AModelFarFromZeroIsCheckedWhereItIs) {
 }
 
 TEST_F(CheckCommand, AVertexAMillionTimesAsFarIsCheckedToo) {
-    // The camera goes where the vertex is, and a place one unit before it is the same float there.
+    // The camera is as far away as the far vertex. There a place one unit before it is the same
+    // float.
     write("model.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1e12 1e12 1e12\n"
                        "f 1 2 3\nf 1 3 4\nf 1 5 2\n");
     ASSERT_EQ(run("draw " + path("model.obj") + " --size 400x300 -o " + path("a.svg")).exit_code,
@@ -217,7 +218,7 @@ TEST_F(CheckCommand, ACertificateIsWrittenWhenAskedFor) {
     const std::size_t begin = svg.find("<metadata>checked by rays: ");
     ASSERT_NE(begin, std::string::npos);
     EXPECT_NE(svg.find("pixels surely wrong</metadata>", begin), std::string::npos);
-    // What it says is what a check of the file finds.
+    // The drawing's figures are those of a check of the file.
     const std::string table = check("a.svg");
     EXPECT_NEAR(std::stod(svg.substr(begin + 27)), figure(table, "truly visible"), 0.1);
 
@@ -238,7 +239,7 @@ TEST_F(CheckCommand, SaysWhatIsMissing) {
     expect_refused("check " + path("model.obj") + " " + path("model.obj"), 1, ".svg or .json");
     write("other.svg", "<svg><desc>draw a.obj; seen at 9x9 pixels</desc></svg>");
     expect_refused("check " + path("other.svg") + " " + path("model.obj"), 1, "--eye");
-    // What a drawing says of itself is of a file, not of the command.
+    // A wrong description in a drawing is an error of the file, not of the command.
     const std::string svg = content("a.svg");
     const std::size_t at = svg.find(" --size");
     for (const char* said : {" --section=bogus", " --only=nothing", " --units=ell"}) {

@@ -1,5 +1,5 @@
-// Exact surfaces as the tool draws them: chords are a quarter of a pixel off at most, whatever the
-// picture's size and the camera.
+// Exact surfaces drawn by the tool. With any size of picture and any camera, chords are off by at
+// most a quarter of a pixel.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ class CurveFineness : public Tool {
         return nlohmann::json::parse(std::ifstream{path("a.json")});
     }
 
-    /// How far chords of the pin's upper end, a circle of radius 1, are off in model units.
+    /// The largest error of chords of the pin's upper end, a circle of radius 1, in model units.
     static double most_off(const nlohmann::json& drawing) {
         double most = 0;
         for (const nlohmann::json& line : drawing.at("paths")) {
@@ -51,7 +51,7 @@ TEST_F(CurveFineness, AQuarterPixelWhateverTheSize) {
     for (const int size : {200, 1000, 5000}) {
         const nlohmann::json drawing =
             drawn("--view top --size " + std::to_string(size) + "x" + std::to_string(size));
-        // The circle of radius 1 fills the picture but for its margin.
+        // The circle of radius 1 fills the picture except its margin.
         EXPECT_LE(most_off(drawing) * size / 2, 0.25) << size;
         EXPECT_EQ(said_.find("pixels off"), std::string::npos) << said_;
     }
@@ -66,10 +66,10 @@ TEST_F(CurveFineness, AQuarterPixelFromNear) {
     const double off = most_off(drawing);
     EXPECT_GT(off, 0);
     EXPECT_LE(off * scale, 0.25);
-    // What it was read with stands in the drawing, so that it can be checked.
+    // The drawing holds the deflection of the reading, so that it can be checked.
     const std::string description = drawing.at("description").get<std::string>();
     EXPECT_NE(description.find(" --deflection="), std::string::npos) << description;
-    // Where it is given, that is what is read; the circle stays one.
+    // A given deflection is used. The circle stays a circle.
     const nlohmann::json coarse = drawn(near + "--deflection 0.01");
     const std::string given = coarse.at("description").get<std::string>();
     EXPECT_NE(given.find(" --deflection=0.01"), std::string::npos) << given;
@@ -79,8 +79,8 @@ TEST_F(CurveFineness, AQuarterPixelFromNear) {
 TEST_F(CurveFineness, UsualViewsAreReadOnce) {
     const std::string pin = std::string{LINEATLAS_SOURCE_DIR} + "/tests/fuzz/inputs/step/pin.step";
     ASSERT_EQ(run("draw " + pin + " -o " + path("a.svg")).exit_code, 0);
-    // A second reading would have taken what the camera says, and this one sees parts of the pin
-    // from nearer than one that shows all of it in a circle across the picture.
+    // A second reading would have used the camera's deflection. This camera is nearer to parts of
+    // the pin than one that frames the whole pin.
     const std::string svg = read(path("a.svg")), option = "--deflection=";
     const std::size_t at = svg.find(option);
     ASSERT_NE(at, svg.npos);
@@ -89,7 +89,7 @@ TEST_F(CurveFineness, UsualViewsAreReadOnce) {
 }
 
 TEST_F(CurveFineness, AViewALittleLargerThanGuessedIsReadOnce) {
-    // The guess: the pin's diagonal from corner to corner of the picture.
+    // The guess lets the pin's diagonal fill the picture from corner to corner.
     constexpr double guessed = 500 * std::numbers::sqrt2 / 3.4641016;
     const auto read_for = [&](double scale) {
         const double distance = 500 / (2 * 0.36397 * scale); // see AQuarterPixelFromNear

@@ -1,5 +1,5 @@
-// Drivers that are there and do not work: each is told in a line, and pictures are drawn without
-// it unless it was asked for.
+// Drivers that do not work. Each gives a message of one line, and pictures are drawn without the
+// driver unless the user asked for it.
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,12 +26,12 @@ class Drivers : public Tool {
         ::unsetenv("LINEATLAS_TEST_DRIVER");
         Tool::TearDown();
     }
-    /// Whether PoCL is installed, which then stands behind the fake.
+    /// Puts PoCL behind the fake driver. Returns false if PoCL is not installed.
     bool add_pocl() const {
         const fs::path pocl = "/etc/OpenCL/vendors/pocl.icd";
         return fs::exists(pocl) && fs::copy_file(pocl, path("vendors/b_pocl.icd"));
     }
-    /// Where PoCL keeps what it has compiled, unless it is told otherwise.
+    /// The usual folder of PoCL's compiled kernels.
     static std::string usual_pocl_cache() {
         if (const char* own = std::getenv("POCL_CACHE_DIR")) return own;
         if (const char* cache = std::getenv("XDG_CACHE_HOME"))
@@ -62,7 +62,7 @@ std::size_t longest_line(const std::string& text) {
     return longest;
 }
 
-/// A kernel with errors, whose log has many lines, and an output that needs it.
+/// A kernel with errors and a log of many lines, and an output that needs the kernel.
 struct Broken {
     const char* file;
     const char* from;
@@ -80,7 +80,7 @@ class BrokenKernel : public Drivers, public testing::WithParamInterface<Broken> 
     const std::string options_ = GetParam().options;
 };
 
-/// Where one kernel does for all.
+/// Tests for which one kernel is enough.
 class OneBrokenKernel : public BrokenKernel {};
 
 TEST_P(OneBrokenKernel, IsToldInALineOfDevices) {
@@ -105,7 +105,8 @@ TEST_P(BrokenKernel, LeavesThePictureToTheNextDevice) {
     EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
     EXPECT_EQ(lines_with(drawn.output, "lineatlas: kernels run as C++ on all cores, since "), 1U)
         << drawn.output;
-    EXPECT_EQ(lines_with(drawn.output, "lineatlas: "), 1U) << drawn.output; // PoCL has its own
+    // PoCL prints its own lines.
+    EXPECT_EQ(lines_with(drawn.output, "lineatlas: "), 1U) << drawn.output;
     EXPECT_TRUE(read_image(path("x.png")).pixels == expected.pixels);
 }
 
@@ -126,7 +127,7 @@ constexpr Broken halo{"halo.cl", "KERNEL(halo_count", "--set halo=3 --interop co
 INSTANTIATE_TEST_SUITE_P(Kernels, OneBrokenKernel, testing::Values(halo));
 INSTANTIATE_TEST_SUITE_P(
     Kernels, BrokenKernel,
-    testing::Values(Broken{"scan.cl", "KERNEL(scan_list", ""}, // of every frame
+    testing::Values(Broken{"scan.cl", "KERNEL(scan_list", ""}, // a kernel of every frame
                     Broken{"visible.cl", "KERNEL(visible_count", ""},
                     Broken{"compact.cl", "KERNEL(compact_count", "--method atlas"}, halo),
     [](const auto& tested) {
@@ -183,12 +184,12 @@ TEST_F(Drivers, ThatRefuseOrAreMissingAreNamed) {
     expect_refused(draw("--device opencl:gone"), 2, fake + ": libpocl_that_is_gone.so.2: cannot");
 }
 
-/// Where strokes are taken out of a tile again, whatever was drawn there is lost.
+/// The driver loses the pixels of tiles from which strokes are removed again.
 TEST_F(Drivers, ThatComputeSomethingElseAreNotUsed) {
     if (!add_pocl()) GTEST_SKIP() << "PoCL is not installed";
     fs::remove(path("vendors/a_fake.icd"));
     ::setenv("OCL_ICD_VENDORS", path("vendors").c_str(), 1);
-    // Verdicts are to be new, not all that PoCL has compiled.
+    // Verdicts must be new, but PoCL's compiled kernels need not.
     const EnvironmentVariable compiled{"POCL_CACHE_DIR", usual_pocl_cache()};
     const EnvironmentVariable cache{"XDG_CACHE_HOME", path("cache")};
     const auto draw_here = [&] { return run(draw("--interop copy --method atlas")); };
@@ -211,7 +212,7 @@ TEST_F(Drivers, ThatComputeSomethingElseAreNotUsed) {
             << drawn.output;
     }
     const Image by_cpp = read_image(path("x.png"));
-    fs::remove_all(path("cache")); // else the verdict stands
+    fs::remove_all(path("cache")); // otherwise the verdict stays
     const Result drawn = draw_here();
     EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
     EXPECT_EQ(lines_with(drawn.output, "lineatlas: "), 0U) << drawn.output;

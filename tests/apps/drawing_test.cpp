@@ -1,5 +1,5 @@
-// Drawings as SVG as other programs show them: rasterised by librsvg and by Chromium, as PDF by
-// poppler, beside our own picture of pixels; and what the tool says to wrong options of theirs.
+// Drawings as SVG in other programs: rasterised by librsvg and Chromium, and as PDF by poppler,
+// compared with the tool's own picture. Also the messages about wrong options of drawings.
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace {
 
 class DrawingTest : public Tool {
   protected:
-    /// With all lines, as paths have them: pixels by default leave some out where they are dense.
+    /// Draws all lines, as paths do. Pictures leave out some dense lines by default.
     void draw(const std::string& what) {
         for (const char* extension : {".png", ".svg"}) {
             const Result result =

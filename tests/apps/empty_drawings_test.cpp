@@ -1,4 +1,4 @@
-// A drawing without a line is written, and one line says why it is empty.
+// A drawing without a line is written, and a message of one line tells why it is empty.
 #include "lineatlas/io.hpp"
 #include "tool.hpp"
 
@@ -15,7 +15,7 @@ class EmptyDrawings : public Tool {
         write("wall.obj", "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nv -1 0 -2\nv 1 0 -2\nf 1 2 3\nl 4 5\n");
     }
 
-    /// What drawing says; the picture must be there.
+    /// The message of `draw`. Expects that the picture exists.
     std::string say(const std::string& arguments, const std::string& output) {
         const Result result = run("draw " + arguments + " --size 64x48 -o " + path(output));
         EXPECT_EQ(result.exit_code, 0) << arguments << "\n" << result.output;
@@ -46,7 +46,7 @@ TEST_F(EmptyDrawings, TheCameraLooksElsewhere) {
                  "the model lies behind the camera, which looks away from it");
     const std::string beside = "none lies in the part of the model that the camera sees";
     expect_empty(path("t.obj") + " --eye 0,0,9 --target 9,0,0 --fov 1", beside);
-    // From within, on the middle of a face.
+    // A view from within onto the middle of a face.
     expect_empty(path("t.obj") + " --eye 0.2,0.2,0.2 --target 0.25,0.2,0.2 --fov 1", beside);
 }
 
@@ -80,7 +80,7 @@ TEST_F(EmptyDrawings, WhatHasALineIsNotOne) {
     EXPECT_EQ(say(path("t.obj"), "full.svg"), "");
     for (const char* output : {"hidden.png", "hidden.svg"})
         EXPECT_EQ(say(path(wall_from_the_front) + " --hidden", output), "") << output;
-    // A line that passes through the picture, its ends beside it.
+    // A line passes through the picture, and its ends lie beside the picture.
     EXPECT_EQ(say(path("t.obj") + " --eye 0.5,0.02,9 --target 0.5,0.02,0 --fov 1", "zoom.png"), "");
     EXPECT_EQ(say(path("t.obj") + " --tile 16", "tiles.png"), "");
 }

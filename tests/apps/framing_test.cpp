@@ -1,5 +1,5 @@
-// A camera that frames a whole model leaves out a tiny part far away, and says where a small one
-// makes the rest small.
+// A camera that frames a whole model leaves out a tiny part far away. If a small part makes the
+// rest small, a message tells where it is.
 #include <iomanip>
 #include <sstream>
 
@@ -45,7 +45,7 @@ class Framing : public Tool {
     }
 };
 
-/// Lines from 22 on, of that number.
+/// `count` lines, beginning at x = `from`.
 std::string stray_lines(int count, double from = 22) {
     std::ostringstream text;
     text << std::setprecision(10);
@@ -66,7 +66,7 @@ TEST_F(Framing, LeavesOutAStrayLineFarAway) {
     EXPECT_FALSE(with.empty());
     EXPECT_EQ(say(sheet(0, 1, 1)), "");
     EXPECT_EQ(with, paths());
-    // Not where the camera is placed by hand.
+    // No message if the camera is placed by hand.
     EXPECT_EQ(say(sheet(0, 1, 1) + stray_lines(1), "--eye 0,0,5 --target 0,0,0"), "");
 }
 
@@ -75,7 +75,7 @@ TEST_F(Framing, SaysHowFarMoreOfThemAre) {
     EXPECT_NE(said.find("10 of "), std::string::npos) << said;
     EXPECT_NE(said.find("the picture is 16."), std::string::npos) << said; // 23.9 over 1.42
     EXPECT_NE(said.find("about 0.5,0.5,0.05"), std::string::npos) << said;
-    // The same coordinates as in the file, far from zero too.
+    // The message has the coordinates of the file, also far from zero.
     const std::string far = say(sheet(1e6, 1, 1) + stray_lines(10, 1000022));
     EXPECT_NE(far.find("about 1000000,0.5,0.05"), std::string::npos) << far;
 }
@@ -88,7 +88,8 @@ TEST_F(Framing, LeavesOutOnBothSides) {
 
 TEST_F(Framing, NothingIsSaidWithoutOne) {
     EXPECT_EQ(say(sheet(0, 1, 1)), "");
-    // Two of a size, far apart; a part that reaches there; one that is not far.
+    // Two parts of one size far apart, a part that reaches from one to the other, and one that is
+    // not far.
     EXPECT_EQ(say(sheet(0, 1, 1) + sheet(22, 1, 442)), "");
     EXPECT_EQ(say(sheet(0, 1, 1) + "v 22 0 0\nl 1 442\n"), "");
     EXPECT_EQ(say(sheet(0, 1, 1) + "v 1.5 0 0\nv 1.6 0 0\nl 442 443\n"), "");

@@ -1,4 +1,4 @@
-// The tool with pictures for pens that are broken, odd or made to eat memory.
+// The tool with pictures of pens that are broken, odd or made to use up memory.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ std::string big_endian(std::uint32_t number) {
             static_cast<char>(number >> 8U), static_cast<char>(number)};
 }
 
-/// ISO 3309, bit by bit.
+/// The checksum of ISO 3309, bit by bit.
 std::uint32_t checksum(std::string_view bytes) {
     std::uint32_t sum = 0xFFFFFFFF;
     for (const char byte : bytes) {
@@ -38,15 +38,15 @@ std::string chunk(const std::string& type, const std::string& data) {
            big_endian(checksum(type + data));
 }
 
-/// A PNG file of some bytes that says it is so large.
+/// A PNG file of a few bytes that claims this size.
 std::string png_of_size(std::uint32_t width, std::uint32_t height, char bits = 8, char color = 6) {
     const std::string header =
         big_endian(width) + big_endian(height) + bits + color + std::string(3, '\0');
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", "x") + chunk("IEND", "");
 }
 
-/// Readers are silent, but in builds with sanitizers they may speak (reader_process.cpp), and
-/// libpng does.
+/// Readers are silent. In builds with sanitizers they may print (reader_process.cpp), and libpng
+/// does.
 std::string without_words_of_libpng(const std::string& output) {
     if (!reader::sanitized) return output;
     return std::regex_replace(output, std::regex{"libpng error: [^\n]*\n"}, "");
@@ -104,7 +104,7 @@ TEST_F(HostilePens, Sizes) {
 TEST_F(HostilePens, MemoryAndTime) {
     write_picture("large.png", {6000, 6000}, 4); // some KB, 144 MB of pixels
     ASSERT_LT(fs::file_size(path("large.png")), 1'000'000U);
-    // A sanitizer reserves terabytes: there is no limit with it.
+    // A sanitizer reserves terabytes, so builds with it have no limit.
     if (!reader::sanitized)
         expect_one_line("large.png", "needs more than 0.1 GiB of memory; --read-memory allows more",
                         "--read-memory 0.1");

@@ -1,4 +1,4 @@
-// `lineatlas kernels`: the list, and one kernel with what it works on.
+// `lineatlas kernels`: the list, and one kernel with its arguments.
 
 #include "lineatlas/compute_device.hpp"
 #include "tool.hpp"
@@ -23,7 +23,7 @@ TEST_F(Tool, ListsEveryKernelOnce) {
     }
 }
 
-/// What `kernels NAME` says before the source.
+/// The description that `kernels NAME` prints before the source.
 std::string description_in(const std::string& output) {
     return output.substr(0, output.find("\n\n#line"));
 }
@@ -65,7 +65,8 @@ TEST_F(Tool, PrintsKernelsOfAFolder) {
     ::unsetenv("LINEATLAS_KERNEL_DIR");
 }
 
-/// An objdump that shows a listing known by hand: a loop on 16 numbers within one on single ones.
+/// An imitated objdump that prints a known listing: a loop on 16 numbers within a loop on single
+/// numbers.
 TEST_F(Tool, FindsTheLoopsInAssembly) {
     write("objdump", "#!/bin/sh\nprintf '  10:\\tmov    %%rdi,%%rax\\n"
                      "  14:\\tvaddss %%xmm0,%%xmm1,%%xmm1\\n"

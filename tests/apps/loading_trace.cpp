@@ -1,5 +1,5 @@
-// A module that does nothing but make the file "loaded" beside it executable, when it is loaded: a
-// process that loads modules can make no file any more.
+// A module that only makes the file "loaded" beside it executable when it is loaded. It makes no
+// file, because processes that load modules cannot.
 #include <cstdlib>
 #include <filesystem>
 

@@ -1,4 +1,5 @@
-// Models of several parts: what `lineatlas info` says of them, and what --only and --hide leave.
+// Models of several parts: the output of `lineatlas info`, and the parts that --only and --hide
+// leave.
 
 #include <algorithm>
 #include <cstdlib>
@@ -38,7 +39,7 @@ class Models : public Tool {
         return result.output;
     }
 
-    /// How many paths the drawing of it has by kind, with hidden ones.
+    /// The numbers of paths by kind in the drawing of a model, including hidden ones.
     nlohmann::json drawn(const std::string& model, const std::string& options) const {
         said("draw " + path(model) + " -o " + path("a.json") + " --lines crease,boundary " +
              options);
@@ -147,7 +148,7 @@ TEST_F(Models, PartsAreChosenByName) {
               "lineatlas: --only and --hide leave nothing to draw\n");
     EXPECT_EQ(said("draw --scene clevis -o " + path("a.svg") + " --hide hall", 2),
               "lineatlas: --only and --hide are for the parts of a MODEL file\n");
-    // Two ways to say the same.
+    // Two ways to ask for the same.
     const auto points = [&](const std::string& options) {
         return drawn("hall.glb", options)["paths"];
     };
@@ -189,7 +190,7 @@ struct Piece {
     glm::dvec2 from, to;
 };
 
-/// What of a drawing is visible, in pixels.
+/// The visible parts of a drawing, in pixels.
 std::vector<Piece> visible_pieces(const std::string& file) {
     const nlohmann::json drawing = nlohmann::json::parse(std::ifstream{file});
     std::vector<Piece> pieces;
@@ -235,7 +236,7 @@ TEST_F(Models, AScenesFilesGiveOneDrawing) {
         "models";
     if (!fs::is_directory(folder)) GTEST_SKIP() << folder << " is not there";
     const auto pieces = [&](const char* file) {
-        // The scene's bevels are bent by 30 degrees, give or take a rounding.
+        // The scene's bevels bend by 30 degrees, except for rounding.
         said("draw " + (folder / file).string() + " -o " + path("a.json") +
              " --method exact --crease 25");
         return visible_pieces(path("a.json"));
@@ -244,8 +245,8 @@ TEST_F(Models, AScenesFilesGiveOneDrawing) {
     const std::vector<Piece> z_up = pieces("machine_hall_zup.glb");
     EXPECT_EQ(length_off(hall, z_up, 0.1), 0);
     EXPECT_EQ(length_off(z_up, hall, 0.1), 0);
-    // Rounded to 1 mm, which a gear that turns through a face by 11 degrees shows as 5 mm, and the
-    // foot of a wall that lies in the floor's plane is below it.
+    // Coordinates are rounded to 1 mm. At a gear that passes through a face at 11 degrees this
+    // moves lines by 5 mm. A wall's foot in the floor's plane gets below the floor.
     const std::vector<Piece> packed = pieces("machine_hall_meshopt.glb");
     EXPECT_LT(length_off(hall, packed, 0.2), 0.002);
     EXPECT_LT(length_off(packed, hall, 0.2), 0.002);

@@ -1,4 +1,5 @@
-// Killed, without room, without its folder: what was there before stays, or the new file is whole.
+// The tool is killed, or has no room or no folder for its file. The old file stays, or the new file
+// is whole.
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -20,7 +21,7 @@ constexpr const char* old_content = "what was there before";
 
 class OutputFaults : public Tool {
   protected:
-    /// What the files of a folder hold.
+    /// The content of the files of a folder.
     std::map<std::string, std::string> contents(const std::string& folder) const {
         std::map<std::string, std::string> result;
         for (const auto& entry : fs::directory_iterator{path(folder)}) {
@@ -29,7 +30,7 @@ class OutputFaults : public Tool {
         return result;
     }
 
-    /// The tool as a process group of its own; `limit`: bytes that a file may have.
+    /// Starts the tool in a new process group. limit: the largest size of a file in bytes.
     static pid_t start(const std::string& arguments, rlim_t limit = RLIM_INFINITY) {
         const pid_t process = ::fork();
         if (process != 0) return process;
@@ -37,7 +38,7 @@ class OutputFaults : public Tool {
         const rlimit largest{limit, limit};
         ::setrlimit(RLIMIT_FSIZE, &largest);
         ::signal(SIGXFSZ, SIG_IGN);                 // the write fails, as on a full disk
-        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions hold for the superuser, too
+        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions count for the superuser, too
         const std::string command =
             std::string{"exec "} + LINEATLAS_TOOL + " " + arguments + " >/dev/null 2>&1";
         ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
@@ -101,7 +102,8 @@ TEST_F(OutputFaults, AKillAtAnyTimeLeavesOldOrWholeFiles) {
         wait_for(process);
         const std::map<std::string, std::string> expected = contents(whole);
         for (const auto& [name, content] : contents(killed)) {
-            if (name.ends_with(".part")) { // killed between two calls of the system: whole, too
+            // Killed between two system calls; such files are whole, too.
+            if (name.ends_with(".part")) {
                 ++left_behind;
                 const auto whole_one = [&](const auto& file) { return file.second == content; };
                 EXPECT_TRUE(std::ranges::any_of(expected, whole_one)) << name;
@@ -158,7 +160,7 @@ TEST_F(OutputFaults, AReadOnlyFolderKeepsWhatItHas) {
     expect_exit(1, "-o ", "closed/new.png");
     EXPECT_EQ(contents("closed"), before);
     fs::permissions(path("closed"), fs::perms::owner_all);
-    expect_exit(0, "-o ", "closed/new.png"); // it was the permission that failed
+    expect_exit(0, "-o ", "closed/new.png"); // only the permission was missing
 }
 
 TEST_F(OutputFaults, AFolderThatGoesAwayIsSaid) {

@@ -1,4 +1,4 @@
-// What stands in the picture files, read back with OpenImageIO: bits, alpha, notes.
+// The content of picture files, read with OpenImageIO: bits, alpha, notes.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 struct Stored {
     OIIO::ImageSpec spec;
-    std::vector<float> values; ///< as stored: nothing divided or multiplied by alpha
+    std::vector<float> values; ///< as stored, neither divided nor multiplied by alpha
 };
 
 class PictureFiles : public Tool {
@@ -144,7 +144,7 @@ TEST_F(PictureFiles, ThatArePngNeedNoOpenImageIo) {
     std::filesystem::create_symlink(modules / "lineatlas-png.so", path("modules/lineatlas-png.so"));
     for (const char* options : {"", "--transparent", "--bits 16", "--bits 16 --transparent"}) {
         const std::string more = std::string{options} + " --dpi 300 --fill lambert";
-        const Stored with = draw("a.tif", more); // what OpenImageIO writes
+        const Stored with = draw("a.tif", more); // by OpenImageIO
         ::setenv("LINEATLAS_MODULE_DIR", path("modules").c_str(), 1);
         const Stored without = draw("b.png", more);
         ::unsetenv("LINEATLAS_MODULE_DIR");

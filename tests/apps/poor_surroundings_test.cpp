@@ -1,5 +1,5 @@
-// What OpenCL drivers need of their surroundings, and do not have: a home, a linker, memory. A
-// picture, or one line that says what is missing; never an abort.
+// OpenCL drivers without a home, a linker or memory. The tool draws a picture or prints one line
+// about the missing thing, and never aborts.
 #include <cstdlib>
 
 #include <linux/capability.h>
@@ -15,7 +15,7 @@ namespace {
 class PoorSurroundings : public Tool {
   protected:
     static void SetUpTestSuite() {
-        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions hold for the superuser, too
+        ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE); // permissions count for the superuser, too
         for (const char* name : {"POCL_CACHE_DIR", "XDG_CACHE_HOME"}) ::unsetenv(name);
     }
     void SetUp() override {
@@ -32,22 +32,22 @@ class PoorSurroundings : public Tool {
     Result draw(const std::string& before, const std::string& options = "") const {
         return draw_to("x%d.png", before, "--turntable 1 " + options);
     }
-    /// One picture, for which no driver of OpenCL starts.
+    /// Draws one picture, for which no OpenCL driver starts.
     Result draw_one(const std::string& before) const { return draw_to("x.png", before, ""); }
     Result draw_to(const std::string& name, const std::string& before,
                    const std::string& options) const {
-        // Without a cache the device draws no frames for a trial first.
+        // Without a cache no trial of the device comes first.
         return shell("bash -c '" + before +
                      " LINEATLAS_CACHE=off " LINEATLAS_TOOL
                      " draw --scene clevis --size 64x48 -o " +
                      path(name) + " " + options + "' 2>&1");
     }
-    /// What is there to draw with.
+    /// Lists the devices.
     Result devices(const std::string& before, const std::string& options = "") const {
         return shell("bash -c '" + before + " " LINEATLAS_TOOL " devices " + options + "' 2>&1");
     }
-    /// The first device runs one kernel, as `devices` has it try the mode host-pointer in a process
-    /// of its own: to compile all of them anew takes PoCL 10 seconds.
+    /// Lets the first device run one kernel, in the same way as `devices` tries the mode
+    /// host-pointer in a separate process. PoCL needs 10 seconds to compile all kernels again.
     Result one_kernel(const std::string& before) const { return devices(before, "--probe 0 2"); }
     static bool ran_a_kernel(const Result& result) {
         return result.exit_code == 0 &&
@@ -71,7 +71,7 @@ TEST_F(PoorSurroundings, AHomeThatCannotBeWrittenTo) {
         EXPECT_EQ(status.st_mode & 0777U, 0700U);
         EXPECT_FALSE(fs::is_empty(private_folder() / "pocl")) << home;
     }
-    // One that can be is used.
+    // A home that can be written to is used.
     fs::remove_all(private_folder());
     EXPECT_TRUE(ran_a_kernel(one_kernel(temporary + "HOME=" + path("cold"))));
     EXPECT_TRUE(fs::is_empty(path("tmp")));
@@ -108,7 +108,7 @@ TEST_F(PoorSurroundings, NoLinker) {
     EXPECT_EQ(one.exit_code, 0);
     EXPECT_EQ(one.output, "");
     EXPECT_NE(devices(surroundings).output.find("; --compute cpp does without"), std::string::npos);
-    // Elsewhere than usual is good enough.
+    // The linker may be in another folder than usual.
     fs::create_directory(path("bin"));
     fs::create_symlink("/usr/bin/ld", path("bin/ld"));
     EXPECT_TRUE(ran_a_kernel(

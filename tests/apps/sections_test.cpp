@@ -1,4 +1,4 @@
-// Models that are cut, as the tool draws them.
+// Models with sections, drawn by the tool.
 #include <cmath>
 #include <iomanip>
 #include <numbers>
@@ -18,7 +18,7 @@ class SectionDrawings : public Tool {
                                 + "o sleeve\n" + ring(48, {{20, 40}}, 96));
     }
 
-    /// Bodies around the y axis, of walls from one radius to another, 50 high.
+    /// Bodies around the y axis, 50 high. Each wall goes from one radius to another.
     static std::string ring(int sides, const std::vector<std::pair<double, double>>& walls,
                             int first = 0) {
         std::ostringstream text;
@@ -68,7 +68,7 @@ class SectionDrawings : public Tool {
                              std::sregex_iterator{});
     }
 
-    /// The ways of straight paths.
+    /// The widths and heights of straight paths.
     static std::vector<std::pair<double, double>> steps_of(const std::string& text) {
         std::vector<std::pair<double, double>> steps;
         const std::regex data{" d=\"([^\"]*)\""}, number{"-?[0-9]*\\.?[0-9]+"};
@@ -114,7 +114,7 @@ TEST_F(SectionDrawings, HatchingAcrossIsASpacingApart) {
                                  method);
         const std::string hatching = group(svg, "hatching");
         EXPECT_NEAR(static_cast<double>(paths_in(hatching)), 150 / (5 * std::numbers::sqrt2), 1.5);
-        // Each goes from outline to outline, whole: longer ones are 50 high.
+        // Each line of hatching goes from outline to outline. Long ones are 50 high.
         int whole = 0;
         for (const auto& [x, y] : steps_of(hatching)) {
             EXPECT_NEAR(std::abs(x), std::abs(y), 0.003);
@@ -137,7 +137,7 @@ TEST_F(SectionDrawings, PartsAreHatchedAgainstEachOther) {
 }
 
 TEST_F(SectionDrawings, TheSideOfTheEyeIsGone) {
-    // From both sides one looks at the cut.
+    // Views from both sides show the cut.
     for (const char* view : {"front", "back"}) {
         SCOPED_TRACE(view);
         EXPECT_NE(group(drawn("rod.obj", std::string{"--section z=0 --view "} + view), "hatching"),
@@ -172,7 +172,7 @@ TEST_F(SectionDrawings, WhatIsWrongIsSaidInALine) {
     expect_refused(draw + " --section y=1 --hatching thick", 2, "\"thick\"");
     expect_refused(draw + " --section y=1 --hatching 1e-9", 2, "too near");
     expect_refused(draw + " --hatching 1", 2, "is for --section");
-    // An open mesh is drawn, and said to be one.
+    // An open mesh is drawn, and a message tells that it is open.
     write("open.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
     const Result open = run("draw " + path("open.obj") + " --up y --compute cpp -o " +
                             path("y.svg") + " --section y=1");

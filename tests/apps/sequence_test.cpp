@@ -1,4 +1,4 @@
-// Sequences of frames: turntables and camera paths, which frames, going on after a stop.
+// Sequences of frames: turntables and camera paths, chosen frames, and continuing after a stop.
 
 #include <csignal>
 #include <cstdlib>
@@ -30,7 +30,7 @@ class Sequence : public Tool {
         return names;
     }
 
-    /// The option `name` of the command that a picture says it was drawn by.
+    /// The option `name` of the command in a picture's description.
     std::string option(const std::string& file, const std::string& name) const {
         const auto input = OIIO::ImageInput::open(path(file));
         if (!input) return {};
@@ -105,9 +105,9 @@ TEST_F(Sequence, ACameraPathGoesThroughItsKeys) {
     EXPECT_TRUE(near(vector("2.png", "--eye"), {9, 5, 9}));
     EXPECT_TRUE(near(vector("6.png", "--eye"), {9, 5, -9}));
     EXPECT_TRUE(near(vector("10.png", "--eye"), {0, 5, -12}));
-    // It comes to rest between the keys that are alike.
+    // The camera rests between two equal keys.
     EXPECT_TRUE(near(vector("7.png", "--eye"), {9, 5, -9}));
-    // Smooth: slower at the rest than in the middle of the way.
+    // It moves smoothly: slower near the rest than in the middle of the way.
     const float early = vector("3.png", "--eye").z - vector("4.png", "--eye").z;
     const float late = vector("5.png", "--eye").z - vector("6.png", "--eye").z;
     EXPECT_GT(early, 1.5F * late);
@@ -135,7 +135,7 @@ TEST_F(Sequence, SharesOfASequenceAreAllOfIt) {
         draw(options + " --frames " + std::to_string(share) + "-x3");
         EXPECT_EQ(files(), with_each_share[share]);
     }
-    draw(options + " --frames 7-x8"); // more shares than frames: nothing is left for this one
+    draw(options + " --frames 7-x8"); // more shares than frames, so this share has no frame
     EXPECT_EQ(files(), with_each_share[2]);
 }
 
@@ -165,7 +165,8 @@ TEST_F(Sequence, ASignalStopsItBetweenTwoFrames) {
         const std::string pattern = path(std::to_string(signal) + ".%d.png");
         const pid_t process = ::fork();
         if (process == 0) {
-            ::setpgid(0, 0); // as a terminal does: the signal reaches whatever the tool started
+            // As in a terminal, so that the signal reaches all processes that the tool started.
+            ::setpgid(0, 0);
             const std::string count = std::to_string(frames);
             if (std::freopen("/dev/null", "w", stderr) == nullptr) ::_exit(9);
             ::execl(LINEATLAS_TOOL, LINEATLAS_TOOL, "draw", "--scene", "clevis", "--turntable",

@@ -1,4 +1,4 @@
-// Sessions of the viewer, as the tool draws them.
+// Sessions of the viewer, drawn by the tool.
 #include "tool.hpp"
 
 namespace lineatlas::test {
@@ -15,7 +15,7 @@ class Sessions : public Tool {
     void session(const std::string& text) {
         write("s.toml", "session = 1\nmodel = \"box.obj\"\n" + text);
     }
-    /// What the tool draws with these arguments, without what it says of itself.
+    /// The drawing by these arguments without its description.
     std::string drawn(const std::string& arguments) {
         const Result result = run("draw " + arguments + " -o " + path("out.svg"));
         EXPECT_EQ(result.exit_code, 0) << arguments << "\n" << result.output;

@@ -1,5 +1,5 @@
-// Standard output and error that are full, closed or read by nobody: the picture is drawn, and what
-// was asked for and could not be written is a failure.
+// Standard output and error that are full, closed or read by nobody. The picture is drawn. If
+// requested output could not be written, the tool fails.
 #include <csignal>
 
 #include "tool.hpp"
@@ -14,7 +14,7 @@ class Streams : public Tool {
     std::string draw(const std::string& name) const {
         return tool + " draw --scene clevis --size 64x48 -o " + path(name);
     }
-    /// For `command`, which writes to descriptor 3: a pipe that nobody reads any more.
+    /// Runs `command` with descriptor 3 as a pipe that nobody reads any more.
     static std::string unread(const std::string& command) {
         return "bash -c 'exec 3> >(true); wait $!; " + command + "'";
     }
@@ -42,7 +42,7 @@ TEST_F(Streams, OutputThatIsFullOrClosedIsAFailure) {
           draw("profile.png") + " --profile - --repeat 1",
           draw("compared.png") + " --compare-with cpp"}) {
         for (const char* nowhere : {"/dev/full", "&-"}) {
-            // What is said, of which drivers may have a part, comes back.
+            // The messages come back; some may be from drivers.
             const Result result = shell(command + " 2>&1 >" + nowhere);
             EXPECT_EQ(result.exit_code, 1) << command << " >" << nowhere << "\n" << result.output;
             EXPECT_NE(result.output.find("lineatlas: cannot write to standard output: "),
@@ -58,7 +58,7 @@ TEST_F(Streams, OutputThatIsFullOrClosedIsAFailure) {
 TEST_F(Streams, APictureNeedsNoOutput) {
     EXPECT_EQ(exit_code(draw("a.png") + " <&- >&- 2>&-"), 0);
     EXPECT_EQ(exit_code(draw("b.png") + " </dev/null >/dev/full"), 0);
-    // No descriptor of the tool's own was taken for one of them.
+    // None of the tool's own descriptors got the number of a closed stream.
     const Result usual = shell("cmp " + path("a.png") + " " + path("b.png") + " 2>&1");
     EXPECT_EQ(usual.exit_code, 0) << usual.output;
 }

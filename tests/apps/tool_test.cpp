@@ -1,5 +1,5 @@
-// The tool as a user meets it: what bad input ends in. One clear line that names the thing, exit
-// code 1 or 2, and no file that was not there before.
+// Runs the tool like a user, with bad input. The result must be one clear line that names the
+// cause, exit code 1 or 2, and no new file.
 
 #include <cstdlib>
 #include <filesystem>
@@ -32,7 +32,7 @@ TEST_F(Tool, DrawsAScene) {
         expect_stages(options, {"depth", "atlas", "compact"});
 }
 
-/// Names out of files reach a terminal as letters, and no longer than a line.
+/// Names from files reach a terminal as letters only, and are no longer than a line.
 TEST_F(Tool, TextIsText) {
     const std::string hostile = "\x1b]0;title\x07\x1b[2Jred\x7f\xc2\x9b\xff";
     const std::string cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
@@ -78,7 +78,7 @@ TEST_F(Tool, PathsAreTheSameWithGlAndWithout) {
         };
         const std::string without = draw("");
         EXPECT_GT(without.size(), 10'000U);
-        // What measures, and what shares buffers, goes through the renderer of pictures.
+        // Options for measuring and for shared buffers use the renderer of pictures.
         for (const char* options : {" --interop copy", " --stats", " --compute cpp"})
             EXPECT_EQ(draw(options), without) << options;
         EXPECT_NE(draw(" --method atlas"), without);
@@ -196,7 +196,7 @@ TEST_F(Tool, ListsAndPrintsStyles) {
     EXPECT_EQ(keys.exit_code, 0);
     EXPECT_NE(keys.output.find("| `focus-pen` |"), std::string::npos) << keys.output;
 
-    // What it prints is a style.
+    // The printed text is a style.
     write("mine.toml", style.output);
     const Result again = run("styles " + path("mine.toml"));
     EXPECT_EQ(again.output.substr(again.output.find("\n\n")),
@@ -228,7 +228,7 @@ TEST_F(Tool, DrawsWithAStyle) {
     const auto thick = draws("thick.png", "--style " + path("thick.toml"));
     EXPECT_FALSE(blueprint == thick);
     EXPECT_TRUE(thick == draws("set.png", "--style blueprint --set width=9"));
-    // The file, then --set in order, then options of their own.
+    // The file comes first, then --set in order, then other options.
     EXPECT_TRUE(thick ==
                 draws("option.png", "--width 9 --set width=3 --set width=4 --style blueprint"));
     EXPECT_TRUE(thick == draws("last.png", "--style blueprint --set width=4 --set width=9"));
@@ -274,7 +274,7 @@ TEST_F(Tool, RefusesBadOptions) {
     for (const char* place : {"nan", "-0.1", "1.1"})
         expect_refused(draw + "--at " + place, 2, "--at");
     write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    // The camera that frames a model says so before it has a place.
+    // The framing camera refuses the angle before it is placed.
     for (const char* angle : {"0", "-40", "nan"}) {
         expect_refused("draw " + path("m.obj") + " -o " + path("x.png") + " --fov " + angle, 2,
                        "field of view must lie between 0 and 180");

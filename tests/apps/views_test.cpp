@@ -1,4 +1,4 @@
-// Views that measure: projections, sides by their names, drawings to scale, which way is up.
+// Views for measuring: projections, named sides, drawings to scale, and the direction upwards.
 #include <cmath>
 #include <regex>
 
@@ -15,7 +15,7 @@ class Views : public Tool {
         write("tower.obj", box(10, 10, 100) + box(60, 60, 1, 8));
     }
 
-    /// From the origin; `first`: vertices before it.
+    /// A box from the origin. first: the number of vertices before it.
     static std::string box(int x, int y, int z, int first = 0) {
         std::string text;
         for (int corner = 0; corner < 8; ++corner) {
@@ -37,7 +37,7 @@ class Views : public Tool {
         return text;
     }
 
-    /// Steps of the paths of an SVG, in its units.
+    /// The lengths of steps of the paths of an SVG, in its units.
     std::vector<double> lengths(const std::string& name) const {
         const std::string text = read(path(name));
         const std::regex step{R"( d="m-?[0-9.]+[ ,]?-?[0-9.]+([^"m]*)\")"};

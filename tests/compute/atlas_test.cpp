@@ -1,12 +1,12 @@
-// atlas: lines before and behind walls in a depth buffer of 64 by 64 texels, of which the numbers
-// of probes that see them can be counted by hand.
+// atlas: lines before and behind walls in a depth buffer of 64 by 64 texels. The probes that see
+// the lines can be counted by hand.
 
 #include "stage_test.hpp"
 
 namespace lineatlas::test {
 namespace {
 
-/// The value of a sample of which some probes see the line.
+/// The value of a sample if `seen` of its probes see the line.
 std::uint8_t share(std::uint32_t seen, std::uint32_t probes) {
     return static_cast<std::uint8_t>(std::lround(255.0 * seen / probes));
 }
@@ -20,7 +20,7 @@ struct Scene {
     const compute::DepthTile* tile = nullptr;
     glm::ivec2 depth_size{64, 64};
 
-    /// A wall over the texels from low up to, without, high.
+    /// Adds a wall over the texels from low up to high, without high itself.
     void add_wall(glm::ivec2 low, glm::ivec2 high, float at) {
         for (int y = low.y; y < high.y; ++y) {
             for (int x = low.x; x < high.x; ++x) {
@@ -32,7 +32,7 @@ struct Scene {
 
 class AtlasStage : public StageTest {
   protected:
-    /// What no sample is written to stays 99.
+    /// The samples of a scene. Texels without a sample stay 99.
     std::vector<std::uint8_t> alpha_of(const Scene& scene) {
         HandFrame frame{device(), scene.lines};
         const auto depth = put(scene.depth);
@@ -69,8 +69,9 @@ TEST_P(AtlasStage, SamplesBehindAWallAreHidden) {
 }
 
 TEST_P(AtlasStage, ProbesFillABoxAPixelWide) {
-    // Of every row along the line one probe is farther to the left than of the one before: with
-    // three by three those at -4/9 to 4/9 of a pixel, each once. The wall begins 0.2 to the left.
+    // In every row along the line the probe is farther to the left than in the row before. With
+    // three by three probes the places are -4/9 to 4/9 of a pixel, each once. The wall begins 0.2
+    // to the left.
     Scene scene;
     scene.add_wall({0, 21}, {64, 64}, 0.3F);
     const std::uint32_t seen[] = {1, 3, 6, 11};
@@ -86,8 +87,8 @@ TEST_P(AtlasStage, ProbesFillABoxAPixelWide) {
 }
 
 TEST_P(AtlasStage, ProbesAreSpreadAlongTheSample) {
-    // One sample from pixel 20 to 29 of which the wall hides what lies beyond: probes at ninths of
-    // it, 0.5 to 8.5 pixels from its start.
+    // One sample goes from pixel 20 to 29, and the wall hides its end. The probes are at ninths of
+    // the sample, 0.5 to 8.5 pixels from its start.
     for (int wall = 20; wall <= 29; ++wall) {
         Scene scene{{{{20, 30.5F, 0.5F, 1}, {29, 30.5F, 0.5F, 1}, 1}}};
         scene.add_wall({wall, 0}, {64, 64}, 0.3F);
@@ -102,7 +103,8 @@ TEST_P(AtlasStage, NearerByLessThanTheToleranceDoesNotHide) {
     EXPECT_EQ(sample_of(scene, 20.5F), 255);
     scene.tolerance = 0.009F;
     EXPECT_EQ(sample_of(scene, 20.5F), 0);
-    // Over w, which here goes from 1 to 4: 1/w falls in a straight line on the screen.
+    // The tolerance is divided by w, which goes from 1 to 4. On the screen 1/w falls in a straight
+    // line.
     scene.tolerance = 0.02F; // 0.01 where 1/w is a half, at two thirds of the way
     scene.lines = {{{0, 20.5F, 0.5F, 1}, {48, 20.5F, 0.5F, 4}, 24}};
     std::vector<std::uint8_t> expected(24, 255);
@@ -111,13 +113,15 @@ TEST_P(AtlasStage, NearerByLessThanTheToleranceDoesNotHide) {
 }
 
 TEST_P(AtlasStage, DepthIsThatOfTheLineBesideEachTexel) {
-    // From 0.25 to 0.75 over 32 pixels, behind a wall at a half from the middle on.
+    // The line goes from depth 0.25 to 0.75 over 32 pixels. From the middle on it is behind a wall
+    // at depth 0.5.
     Scene scene{{{{10, 20.5F, 0.25F, 1}, {42, 20.5F, 0.75F, 1}, 16}}};
     scene.add_wall({0, 0}, {64, 64}, 0.5F);
     std::vector<std::uint8_t> expected(16, 255);
     std::fill(expected.begin() + 8, expected.end(), 0);
     EXPECT_TRUE(equal(first(alpha_of(scene), 16), expected));
-    // The line in the wall's own slope is seen all along: each texel holds its depth at its centre.
+    // A line with the wall's slope is visible everywhere, because each texel holds the depth at its
+    // centre.
     for (int x = 0; x < 64; ++x) {
         scene.add_wall({x, 0}, {x + 1, 64}, 0.25F + (static_cast<float>(x) + 0.5F - 10) / 64);
     }
@@ -125,8 +129,8 @@ TEST_P(AtlasStage, DepthIsThatOfTheLineBesideEachTexel) {
 }
 
 TEST_P(AtlasStage, ItsOwnFaceDoesNotHideALine) {
-    // A face that comes nearer by 1/64 a pixel to the left: 0.7 pixels up, where the row of texels
-    // above the line has its centre.
+    // A face that comes nearer by 1/64 per pixel to the left. The row of texels above the line has
+    // its centre 0.7 pixels above the line.
     const auto with_face = [&](float slope, float height, float row_depth) {
         Scene scene{{{{10, 20.8F, 0.5F, 1}, {12, 20.8F, 0.5F, 1}, 1}}};
         scene.lines[0].own_b = pack_own_face(slope, height);
@@ -173,7 +177,7 @@ TEST_P(AtlasStage, OfASlantedLineProbesStandAcrossItToo) {
 TEST_P(AtlasStage, SamplesLieOneAfterTheOther) {
     Scene scene{{{{10, 20.5F, 0.5F, 1}, {50, 20.5F, 0.5F, 1}, 20},
                  {{10, 30.5F, 0.5F, 1}, {20, 30.5F, 0.5F, 1}, 5}}};
-    scene.add_wall({0, 0}, {64, 25}, 0.3F); // the first is hidden
+    scene.add_wall({0, 0}, {64, 25}, 0.3F); // hides the first line
     std::vector<std::uint8_t> expected(40, 99);
     std::fill_n(expected.begin(), 20, 0);
     std::fill_n(expected.begin() + 20, 5, 255);
@@ -185,7 +189,7 @@ TEST_P(AtlasStage, SamplesLieOneAfterTheOther) {
 
 TEST_P(AtlasStage, OfATileOnlyItsCoreIsComputed) {
     Scene scene{{{{10, 40.5F, 0.5F, 1}, {50, 40.5F, 0.5F, 1}, 20}}};
-    // Texels from (24, 32) on, 32 by 16 of them; a wall from 40 on.
+    // A tile of 32 by 16 texels from (24, 32) on, and a wall from 40 on.
     const compute::DepthTile tile{.origin = {24, 32}, .core_low = {26, 34}, .core_high = {46, 46}};
     scene.tile = &tile;
     scene.depth_size = {32, 16};

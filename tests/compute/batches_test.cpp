@@ -1,5 +1,5 @@
-// Batches of segments and triangles: what is left out by the batch would be left out anyway, and
-// what goes on beyond a hidden batch stays.
+// Batches of segments and triangles. Segments dropped by batches are hidden, and paths that go on
+// beyond a hidden batch stay.
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr glm::vec2 viewport{200, 100};
 constexpr glm::ivec2 tile_count{13, 7};
-/// In front of which lines at depth 0.5 lie, or behind.
+/// Depths of walls before and behind lines at depth 0.5.
 constexpr float before = 0.49F, behind = 1;
 
 /// A path of steps of one pixel along the middle of the picture, at depth 0.5.
@@ -42,7 +42,7 @@ struct Projected {
 
 class BatchesTest : public StageTest {
   protected:
-    /// tiles: of the pyramid, 13 by 7; `batches` or segments alone.
+    /// tiles: of the pyramid, 13 by 7. by_batches: false projects segments alone.
     Projected project(const Path& path, std::vector<float> tiles, bool by_batches,
                       bool drops_hidden = true) {
         const auto n = static_cast<std::uint32_t>(path.segments.size());
@@ -79,7 +79,7 @@ class BatchesTest : public StageTest {
         return {get<std::uint32_t>(*counts, n), get<std::uint32_t>(*arcs, n),
                 get<std::uint8_t>(*states, batches.batches())};
     }
-    /// Hides what lies left of a tile.
+    /// Tiles that hide everything left of a tile.
     static std::vector<float> open_from(int tile) {
         std::vector<float> tiles;
         for (int i = 0; i < tile_count.x * tile_count.y; ++i)
@@ -91,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(OnDevice, BatchesTest, testing::ValuesIn(test_devices()
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(BatchesTest, WhatIsOutsideIsLeftOutAndNothingElse) {
-    const Path path{-70, 4 * LA_BATCH}; // the first ends 6 pixels outside, the last within
+    // The first batch ends 6 pixels outside, the last one within.
+    const Path path{-70, 4 * LA_BATCH};
     const Projected one = project(path, open_from(0), false),
                     seen = project(path, open_from(0), true);
     EXPECT_TRUE(
@@ -102,7 +103,7 @@ TEST_P(BatchesTest, WhatIsOutsideIsLeftOutAndNothingElse) {
 }
 
 TEST_P(BatchesTest, AHiddenBatchKeepsWhatGoesOnBeyondIt) {
-    // From pixel 20 to 84, behind what reaches to pixel 96, and on from there to 120.
+    // The path goes from pixel 20 to 84 and on to 120, behind a wall up to pixel 96.
     const std::uint32_t steps = LA_BATCH + 36;
     for (const bool closed : {false, true}) {
         const Path path{20, steps, closed ? LA_KIND_CREASE | LA_TAG_CLOSED : LA_KIND_CREASE};
@@ -120,7 +121,7 @@ TEST_P(BatchesTest, AHiddenBatchKeepsWhatGoesOnBeyondIt) {
 }
 
 TEST_P(BatchesTest, OneTileInReachOrAFaceThatComesNearerShowsAll) {
-    // Probes reach 1.5 pixels, and one is to spare.
+    // Probes reach 1.5 pixels, and one more pixel is spared.
     EXPECT_EQ(project({29, LA_BATCH}, open_from(6), true).states[0], LA_BATCH_HIDDEN);
     EXPECT_EQ(project({30, LA_BATCH}, open_from(6), true).states[0], LA_BATCH_SEEN);
     Path path{20, LA_BATCH};
@@ -150,13 +151,13 @@ TEST_P(BatchesTest, BoxesAreMadeWhereTheModelStandsStill) {
     EXPECT_NEAR(box.high[0], -0.16, 1e-6);
 }
 
-/// What the exact method finds, frame by frame of one model.
+/// The results of the exact method in frames of one model.
 class ExactBatches : public StageTest {
   protected:
     struct Found {
         std::vector<std::uint32_t> offsets;
         std::vector<float> spans;
-        std::uint32_t length; ///< of all lines
+        std::uint32_t length; ///< the length of all lines
     };
     std::vector<Found> find(const LineSet& lines, const Camera& camera, std::size_t frames,
                             bool measured) {
@@ -192,7 +193,7 @@ class ExactBatches : public StageTest {
 INSTANTIATE_TEST_SUITE_P(OnDevice, ExactBatches, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });
 
-/// Faces before a path of steps of one pixel, both in pixels; tiles are 64 pixels wide.
+/// Faces before a path with steps of one pixel, both given in pixels. Tiles are 64 pixels wide.
 LineSet path_behind(std::vector<glm::vec2> corners, glm::vec2 start) {
     Mesh mesh;
     for (const glm::vec2 corner : corners) mesh.positions.emplace_back(corner, 10);
@@ -228,7 +229,7 @@ TEST_P(ExactBatches, AreHiddenWhereBothHalvesOfAQuadCoverTheirTiles) {
 }
 
 TEST_P(ExactBatches, AreSeenBesideAQuadThatHasAGap) {
-    // The second half reaches the diagonal's upper left in part only.
+    // The second half only partly reaches the upper left of the diagonal.
     const std::vector<glm::vec2> wall{{-9, -9}, {300, -9}, {300, 300}, {100, 160}};
     const auto found = find(path_behind(wall, {10, 200}), straight_camera(), 2, false);
     EXPECT_EQ(found[1].offsets.back(), LA_BATCH);
@@ -253,7 +254,7 @@ TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
     mesh.triangles.push_back({first, first + 2, first + 3});
     if (!mesh.groups.empty()) mesh.triangle_group.resize(mesh.triangles.size());
     const LineSet lines = extract_lines(mesh);
-    for (const bool near : {false, true}) { // near: much of it is outside
+    for (const bool near : {false, true}) { // near: much of the model is outside
         View moved = view;
         if (near) moved.eye += 0.15F * forward;
         const Camera camera = make_camera(moved, {400, 300}, lines.bounds);
@@ -266,7 +267,7 @@ TEST_P(ExactBatches, FindTheSameSpansOfAWalledHouse) {
         }
         EXPECT_EQ(measured[1].length, measured[0].length);
         EXPECT_EQ(plain[0].length, measured[0].length) << "there are no boxes yet";
-        if (near) continue; // hardly a batch lies behind the wall alone
+        if (near) continue; // nearly no batch is entirely behind the wall
         EXPECT_LT(plain[1].length, measured[0].length) << "nothing is hidden whole";
     }
 }

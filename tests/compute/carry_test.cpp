@@ -8,7 +8,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// An edge of a chain: which candidate it is, and how it is drawn.
+/// An edge of a chain: its candidate, and its place in the picture.
 struct Edge {
     std::uint32_t candidate;
     bool turned = false;
@@ -33,8 +33,8 @@ Chain joined(Chain a, const Chain& b) {
 
 class CarryStage : public StageTest {
   protected:
-    /// Of all edges of a frame, whose chains run along straight lines behind a line that is no
-    /// silhouette.
+    /// The coordinates of all edges of a frame. The chains run along straight lines. A line that is
+    /// no silhouette comes before them in the table.
     std::vector<Ends> coordinates(const std::vector<Chain>& chains, float limit = 0) {
         std::vector<HandLine> lines{{.p = {0, 1, 0.5F, 1}, .q = {8, 1, 0.5F, 1}, .samples = 4}};
         std::vector<std::uint32_t> origins;
@@ -67,7 +67,7 @@ class CarryStage : public StageTest {
     void forget() { carried_.forget(); }
 
   private:
-    /// What a run of each whole line gets; the first one keeps its own.
+    /// The coordinates of a run of each whole line. The first run keeps its own.
     std::vector<Ends> applied(const HandFrame& frame) {
         std::vector<lineatlas::Run> runs(frame.count());
         for (std::uint32_t i = 0; i < runs.size(); ++i) {
@@ -138,7 +138,7 @@ TEST_P(CarryStage, AnEdgeThatRunsTheOtherWayIsNew) {
 
 TEST_P(CarryStage, ACoordinateStaysWithItsPlaceOnTheLine) {
     coordinates({{{0}}});
-    // Half of it is left, twice as large.
+    // Half of the edge is left, twice as large.
     EXPECT_EQ(coordinates({{{0, false, 8, 0.5F, 1}}}, 0)[0][1], 4);
     EXPECT_NEAR(coordinates({{{0, false, 8, 0.5F, 1}}}, 0)[0][0], 0, 0.01);
 }

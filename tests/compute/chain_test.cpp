@@ -1,5 +1,4 @@
-// chain: silhouettes in the order in which they follow each other, on graphs whose chains are
-// known.
+// chain: orders silhouettes as they follow each other, in graphs with known chains.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +19,7 @@ struct Graph {
     std::vector<bool> is_silhouette{}; ///< per edge; empty: all are
 };
 
-/// A chain: its edges one after the other, those that run against it as -1 - edge.
+/// A chain: its edges in order. An edge that runs against the chain is -1 - edge.
 struct FoundChain {
     std::vector<int> edges;
     bool closed;
@@ -46,7 +45,8 @@ Segment segment(std::array<std::uint32_t, 2> ends, std::uint32_t face_b, std::ui
 
 class ChainStage : public StageTest {
   protected:
-    /// The edges are candidates behind a line that is always drawn; seen along z.
+    /// The chains of a graph in a view along z. In the table the edges are candidates after a line
+    /// that is always drawn.
     std::vector<FoundChain> chains(const Graph& graph) {
         constexpr std::uint32_t first_path = 100;
         std::vector<Segment> segments{segment({0, 1}, 1, 0, LA_KIND_CREASE)};
@@ -108,7 +108,7 @@ class ChainStage : public StageTest {
         return result;
     }
 
-    /// From here on each graph comes a frame after the one before.
+    /// From here on each graph is a frame after that of the graph before.
     void follow() { follows_ = true; }
 
   private:
@@ -135,7 +135,7 @@ TEST_P(ChainStage, ChainsStayWhatTheyAreWhileAnyOfTheirEdgesIsThere) {
 }
 
 TEST_P(ChainStage, RunsTheWayOfItsLeastEdge) {
-    // 4 - 2 - 0 - 3, and 1 - 5 by itself; edge 1 is none.
+    // Chains 4 - 2 - 0 - 3 and 1 - 5. Edge 1 is no silhouette.
     const Graph graph{.vertices = places(6),
                       .edges = {{2, 0}, {1, 0}, {3, 0}, {1, 5}, {4, 2}},
                       .is_silhouette = {true, false, true, true, true}};
@@ -165,8 +165,8 @@ TEST_P(ChainStage, OfNoSilhouettesThereAreNone) {
               (std::vector<FoundChain>{{{0}, false}}));
 }
 
-/// Of every length, open and closed, in any order and direction, all at once; the same tables for
-/// fewer and for more.
+/// Chains of every length, open and closed, in any order and direction, all at once. The same
+/// tables serve for fewer and for more chains.
 TEST_P(ChainStage, FindsEveryChainOfManyWhole) {
     std::mt19937 random{7};
     for (const std::uint32_t most : {9U, 70U, 40U}) {

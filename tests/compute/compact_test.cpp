@@ -1,4 +1,4 @@
-// compact: the runs of samples that are given, and all that the strokes are told of them.
+// compact: makes runs of given samples, with all that strokes need.
 
 #include "stage_test.hpp"
 
@@ -68,7 +68,7 @@ TEST_P(CompactStage, ARunIsARowOfSamplesThatAreNotHiddenWhole) {
     const std::uint32_t hidden_ends =
         LA_END_HIDDEN << LA_RUN_START_SHIFT | LA_END_HIDDEN << LA_RUN_END_SHIFT |
         LA_END_HIDDEN << LA_STROKE_START_SHIFT | LA_END_HIDDEN << LA_STROKE_END_SHIFT;
-    // Half a sample longer at either end: two pixels and 1/32 of depth to a sample.
+    // The run is half a sample longer at either end. A sample is two pixels and 1/32 of depth.
     const lineatlas::Run expected{.start = {13, 20},
                                   .end = {21, 20},
                                   .start_corner = {0, 0},

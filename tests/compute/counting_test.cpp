@@ -1,5 +1,5 @@
-// The device that counts: what it counts of launches whose numbers are known, and that it leaves
-// what every other device does.
+// The device that counts: its counts of launches with known numbers, and that its results are those
+// of every other device.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST_F(Counting, KnowsWhatAPyramidDoes) {
     EXPECT_EQ(counts.operations, 8 * comparisons);
 }
 
-/// Tables are not counted by their size: the upper row of tiles is left alone.
+/// Only touched bytes of tables count. The kernel does not touch the upper row of tiles.
 TEST_F(Counting, CountsWhatIsTouched) {
     const auto depth = to_device(*device_, std::vector<float>(64 * 32, 0.5F));
     const auto tiles = device_->allocate(8 * sizeof(float));

@@ -1,4 +1,4 @@
-// cull: boxes in and out of the frustum, and before and behind a depth pyramid that is given.
+// cull: boxes in and out of the frustum, and before and behind a given depth pyramid.
 
 #include "stage_test.hpp"
 
@@ -32,16 +32,17 @@ INSTANTIATE_TEST_SUITE_P(OnDevice, CullStage, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(CullStage, WhatLiesOutsideOneOfSixPlanesIsNotSeen) {
-    EXPECT_TRUE(equal(visible({box({-0.1F, -0.1F, -0.1F}, {0.1F, 0.1F, 0.1F}),
-                               box({-3, -0.1F, -0.1F}, {-1.01F, 0.1F, 0.1F}),
-                               box({1.01F, -0.1F, -0.1F}, {3, 0.1F, 0.1F}),
-                               box({-0.1F, -3, -0.1F}, {0.1F, -1.01F, 0.1F}),
-                               box({-0.1F, 1.01F, -0.1F}, {0.1F, 3, 0.1F}),
-                               box({-0.1F, -0.1F, -3}, {0.1F, 0.1F, -1.01F}),
-                               box({-0.1F, -0.1F, 1.01F}, {0.1F, 0.1F, 3}),
-                               box({-3, -3, 0}, {3, 3, 0.1F}), // all corners outside, but around
-                               box({0.99F, 0.99F, 0}, {3, 3, 0.1F})}),
-                      {1, 0, 0, 0, 0, 0, 0, 1, 1}));
+    EXPECT_TRUE(
+        equal(visible({box({-0.1F, -0.1F, -0.1F}, {0.1F, 0.1F, 0.1F}),
+                       box({-3, -0.1F, -0.1F}, {-1.01F, 0.1F, 0.1F}),
+                       box({1.01F, -0.1F, -0.1F}, {3, 0.1F, 0.1F}),
+                       box({-0.1F, -3, -0.1F}, {0.1F, -1.01F, 0.1F}),
+                       box({-0.1F, 1.01F, -0.1F}, {0.1F, 3, 0.1F}),
+                       box({-0.1F, -0.1F, -3}, {0.1F, 0.1F, -1.01F}),
+                       box({-0.1F, -0.1F, 1.01F}, {0.1F, 0.1F, 3}),
+                       box({-3, -3, 0}, {3, 3, 0.1F}), // corners outside, around the frustum
+                       box({0.99F, 0.99F, 0}, {3, 3, 0.1F})}),
+              {1, 0, 0, 0, 0, 0, 0, 1, 1}));
 }
 
 TEST_P(CullStage, WhatLiesBehindAllTilesItTouchesIsNotSeen) {
@@ -59,7 +60,8 @@ TEST_P(CullStage, WhatLiesBehindAllTilesItTouchesIsNotSeen) {
 }
 
 TEST_P(CullStage, PerspectiveIsDividedOut) {
-    // Looks along -z from 1 to 3, 90 degrees: x and y over -z, depth 1.5 + 1.5 / z.
+    // Looks along -z with planes at 1 and 3 and 90 degrees. The window has x and y divided by -z,
+    // and depth 1.5 + 1.5 / z.
     const glm::mat4 clip_from_world{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -2, -1}, {0, 0, -3, 0}};
     // x 0.5 / 2.5 to 0.75 / 2: texels 38.4 to 44; y the same: 28.8 to 33, which touches two rows of
     // tiles. Its nearest depth is 0.75.
@@ -72,7 +74,8 @@ TEST_P(CullStage, PerspectiveIsDividedOut) {
     EXPECT_FALSE(seen_behind(0.74F, 0.74F));
     EXPECT_TRUE(seen_behind(0.76F, 0.74F));
     EXPECT_TRUE(seen_behind(0.74F, 0.76F));
-    // Behind the eye there is no place on the screen: what reaches there may be seen.
+    // A box that reaches behind the eye may be visible, because it has no place on the screen
+    // there.
     tiles_.assign(12, 0.0F);
     EXPECT_TRUE(
         equal(visible({box({0.5F, 0.5F, -2}, {0.6F, 0.6F, 1}), far_box}, clip_from_world), {1, 0}));

@@ -7,7 +7,7 @@ namespace {
 
 class DensityStage : public EffectsTest {};
 
-/// All but silhouettes, which need faces; those that stay longest last.
+/// All kinds except silhouettes, which need faces. Kinds that stay longest come last.
 constexpr std::array fan_kinds{LA_KIND_CREASE, LA_KIND_BOUNDARY, LA_KIND_MATERIAL, LA_KIND_FILE};
 
 /// Twenty horizontal lines about y = 108, of kinds in turn; and one far from all others.
@@ -23,7 +23,7 @@ Drawing fan(float spacing, float shift = 0) {
     return drawing;
 }
 
-/// What a line's opacity is multiplied with at a place: between four cells and two bins.
+/// The factor of a line's opacity at a place, interpolated between four cells and two bins.
 float weight_at(const std::vector<float>& weights, const Run& run, glm::vec2 place) {
     const glm::ivec2 cells = compute::density_cells(glm::vec2{size});
     const glm::vec2 at = place / float{LA_DENSITY_CELL} - 0.5F;
@@ -47,8 +47,8 @@ float weight_at(const std::vector<float>& weights, const Run& run, glm::vec2 pla
     return std::lerp(of_bin(bin), of_bin(bin + 1), share);
 }
 
-/// Pixels of line per pixel about (164, 108), averaged as the stage does it: with a tent over five
-/// cells, of which each takes part in the lines around it.
+/// Pixels of line per pixel about (164, 108). They are averaged as by the stage, with a tent over
+/// five cells. Each line counts in the cells around it.
 float density_of_fan(const Runs& runs, const std::vector<float>* weights) {
     float sum = 0;
     for (std::size_t r = 0; r < 20; ++r) {
@@ -65,7 +65,7 @@ float density_of_fan(const Runs& runs, const std::vector<float>* weights) {
 
 TEST_P(DensityStage, TheLimitIsKeptWhereLinesAreDense) {
     for (const float spacing : {0.1F, 0.4F, 1.0F, 2.0F, 5.0F}) {
-        // The edges of narrow heaps, where there are fewer lines, take part in their middle.
+        // The edges of narrow heaps have fewer lines, and count in the heaps' middle.
         const float most = spacing < 5 ? 1.08F : 1.05F;
         Effects effects = make(fan(spacing));
         for (const float share : {0.25F, 0.5F, 0.75F}) {
@@ -90,7 +90,7 @@ TEST_P(DensityStage, MoreImportantLinesStay) {
     EXPECT_TRUE(std::ranges::is_sorted(of_kind));
     EXPECT_LT(of_kind.front(), 0.01F);
     EXPECT_GT(of_kind.back(), 0.9F);
-    // Alone where it is, a line stays as it is.
+    // A line far from others stays as it is.
     EXPECT_EQ(weight_at(weights, runs[20], {90, 20}), 1);
 }
 

@@ -8,8 +8,8 @@
 #include "compare.hpp"
 #include "devices.hpp"
 
-// What `filter`, `halo` and `density` do to hand-made drawings with known answers: polylines given
-// in pixels and window depth, before a depth buffer that is given too.
+// `filter`, `halo` and `density` on hand-made drawings with known answers: polylines in pixels and
+// window depth, with a given depth buffer.
 namespace lineatlas::test {
 
 using compute::Buffer;
@@ -26,7 +26,7 @@ struct Drawing {
     std::vector<Polyline> lines;
     std::vector<float> depth =
         std::vector<float>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 1);
-    std::vector<std::uint32_t> kinds{}; ///< of each line; without one: from a file
+    std::vector<std::uint32_t> kinds{}; ///< of each line; lines without a kind are from a file
 
     /// A face parallel to the screen.
     void add_rectangle(glm::ivec2 low, glm::ivec2 high, float at) {

@@ -64,7 +64,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
     result.span_offsets = read_back<std::uint32_t>(*device, spans.span_offsets, n + std::size_t{1});
     result.spans =
         read_back<float>(*device, spans.spans, std::size_t{result.span_offsets.back()} * 2);
-    // A visible part, the gaps around it.
+    // Room for visible parts and the gaps around them.
     const std::uint32_t capacity = 2 * result.span_offsets.back() + n + 1;
     const auto intervals = device->allocate(capacity * sizeof(Interval));
     const auto total = device->allocate(sizeof(la_uint));

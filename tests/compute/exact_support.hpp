@@ -8,7 +8,7 @@
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/lines.hpp"
 
-// The exact method without GL: from a line set to intervals, on one device.
+// The exact method without GL, from a line set to intervals on one device.
 namespace lineatlas::test {
 
 struct ExactResult {
@@ -18,20 +18,20 @@ struct ExactResult {
     std::vector<std::uint32_t> arcs;         ///< scanned
     std::vector<std::uint32_t> span_offsets; ///< scanned
     std::vector<float> spans;                ///< two per span
-    int looks = 0;                           ///< how often all segments were looked at
+    int looks = 0;                           ///< the number of passes over all segments
 };
 
 /// `camera`: a standard one.
 ExactResult find_exactly(compute::Device& device, const LineSet& lines, const Camera& camera,
                          LineKindMask kinds = all_line_kinds);
 
-/// In pixels, of all intervals of segments between these two points of the model.
+/// The length in pixels of all visible intervals of segments between these two points of the model.
 float visible_length(const LineSet& lines, const ExactResult& result, glm::vec3 p, glm::vec3 q);
 
 /// Looks along -z at the square from 0,0 to `side`,`side`, a unit of the model per pixel, by a
 /// parallel projection.
 Camera square_camera(int side);
-/// The same square at z = 0 by a perspective one, from so far away.
+/// A perspective camera that shows the same square at z = 0 from this distance.
 Camera square_camera(int side, float distance, float near);
 
 } // namespace lineatlas::test

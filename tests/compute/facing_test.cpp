@@ -1,4 +1,5 @@
-// facing: against the sign of a volume, in whole numbers, which floats of this size hold exactly.
+// facing: compared with the sign of a volume in whole numbers. Floats hold numbers of this size
+// exactly.
 
 #include <array>
 #include <cmath>
@@ -19,7 +20,7 @@ struct Triangles {
     std::vector<glm::uvec3> corners;
 };
 
-/// Sine of the angle at which the eye sees a triangle, 0 if that has no area.
+/// The sine of the angle between a triangle and the line of sight; 0 if the triangle has no area.
 double sine_of(const std::array<glm::i64vec3, 3>& t, const glm::i64vec4& eye) {
     const glm::dvec3 a{t[0]};
     const glm::dvec3 normal = glm::cross(glm::dvec3{t[1]} - a, glm::dvec3{t[2]} - a);
@@ -57,7 +58,8 @@ TEST_P(FacingStage, IsTheSideOfTheEye) {
     const auto triangles = put(model.corners);
     const auto front = device().allocate(exact.size());
     const auto count = static_cast<std::uint32_t>(exact.size());
-    // Points, and directions to a parallel viewer; seen from the last, some triangles are edge on.
+    // Eyes at points, and directions to a parallel viewer. In the last view some triangles are edge
+    // on.
     for (const glm::i64vec4 eye :
          {glm::i64vec4{7, -3, 12, 1}, {-2, 1, 0, 1}, {3, 5, -2, 0}, {0, 0, 1, 0}}) {
         std::vector<std::uint8_t> expected;

@@ -10,8 +10,8 @@ struct Extent {
     float from, to;
 };
 
-/// A line from x = 40 to 280 behind walls that hide it in [100, 120] and [140, 200]: what is seen
-/// is 60, 20 and 80 pixels long, with holes of 20 and 60 between.
+/// A line from x = 40 to 280 behind walls that hide it in [100, 120] and [140, 200]. The visible
+/// parts are 60, 20 and 80 pixels long, with holes of 20 and 60 between them.
 Drawing fenced_line() {
     Drawing drawing{{{{40, 120.5F, 0.5F}, {280, 120.5F, 0.5F}}}};
     drawing.add_rectangle({100, 80}, {120, 160}, 0.2F);
@@ -22,7 +22,7 @@ Drawing fenced_line() {
 class FilterStage : public EffectsTest {
   protected:
     static void expect(const StrokeFilter& filter, const std::vector<Extent>& expected) {
-        constexpr float close = 2; // of a sample: what `atlas` knows of where a line is hidden
+        constexpr float close = 2; // a sample, the precision of visibility by `atlas`
         const Runs runs = make(fenced_line()).filtered(filter);
         ASSERT_EQ(runs.size(), expected.size());
         for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -25,7 +25,7 @@ double value(const FloatPair& pair) {
     return double{pair.high} + double{pair.low};
 }
 
-/// With bits beyond those of a float.
+/// A pair with more bits than a float.
 FloatPair any_pair(Random& random) {
     const float size = std::exp2(random.between(-12, 12));
     return kernel::pair_of_sum(random.between(-size, size), random.between(-1e-8F, 1e-8F) * size);
@@ -54,7 +54,7 @@ TEST(FloatPair, SumsAndProductsOfPairsAreAsGoodAsTheirBits) {
 }
 
 TEST(FloatPair, ADeterminantKnowsItsSign) {
-    // Three vectors that nearly lie in a plane: floats alone get the sign wrong.
+    // Three vectors that nearly lie in a plane, for which floats alone give the wrong sign.
     Random random{3};
     int floats_wrong = 0;
     for (int k = 0; k < 20000; ++k) {
@@ -85,7 +85,7 @@ TEST(FloatPair, ADeterminantKnowsItsSign) {
                             u.z.high * (v.x.high * w.y.high - v.y.high * w.x.high);
         floats_wrong += (plain > 0) != (exact > 0) ? 1 : 0;
     }
-    EXPECT_GT(floats_wrong, 100); // else this test asks nothing of pairs
+    EXPECT_GT(floats_wrong, 100); // otherwise this test does not need pairs
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// intervals: pieces of lines whose ends lie where a wall begins, between the samples.
+// intervals: pieces of lines that end between samples, where a wall begins.
 
 #include "stage_test.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Intervals = std::vector<Interval>;
 
-/// Ends are narrowed down to a 64th of a sample, and told by its middle.
+/// The kernel narrows an end down to a 64th of a sample, and gives the middle of that.
 constexpr double of_sample = 1.0 / 64;
 
 struct Scene {
@@ -18,7 +18,7 @@ struct Scene {
     bool hidden_too = false;
     std::uint32_t capacity = 32; ///< intervals
 
-    /// Over all rows, from a column up to, without, another.
+    /// Adds a wall over all rows, from one column up to another, without the latter.
     void add_wall(int from, int to) {
         for (int y = 0; y < 64; ++y) {
             for (int x = from; x < to; ++x) depth[static_cast<std::size_t>(64 * y + x)] = 0.1F;
@@ -53,12 +53,12 @@ class IntervalsStage : public StageTest {
 INSTANTIATE_TEST_SUITE_P(OnDevice, IntervalsStage, testing::ValuesIn(test_devices()),
                          [](const auto& info) { return info.param.name; });
 
-/// 16 samples of two pixels from pixel 8 to 40, of which those in front of the walls are visible.
+/// 16 samples of two pixels from pixel 8 to 40. Samples in front of the walls are visible.
 Scene level_scene(std::vector<std::pair<int, int>> walls, std::uint32_t tag = LA_KIND_CREASE) {
     Scene scene{.lines = {{{8, 20.5F, 0.25F, 1}, {40, 20.5F, 0.75F, 1}, 16, 0, 0, tag}}};
     for (const auto& [from, to] : walls) scene.add_wall(from, to);
     for (int j = 0; j < 16; ++j) {
-        int hidden = 0; // of the sample's two texels
+        int hidden = 0; // hidden texels of the sample's two
         for (const auto& [from, to] : walls) {
             for (const int x : {8 + 2 * j, 9 + 2 * j}) hidden += x >= from && x < to ? 1 : 0;
         }
@@ -169,8 +169,8 @@ Scene path_scene(int wall, std::vector<std::uint8_t> alpha) {
 
 TEST_P(IntervalsStage, AtAJointVisibilityMayChangeOnEitherSide) {
     const std::vector<std::uint8_t> alpha{255, 255, 255, 255, 0, 0, 0, 0};
-    // In the half sample before it, of four pixels each: the second segment is hidden from its
-    // start.
+    // Samples have four pixels. The wall begins half a sample before the vertex, so the second
+    // segment is hidden from its start.
     Scene scene = path_scene(23, alpha);
     const Intervals before = intervals(scene);
     ASSERT_EQ(before.size(), 2U);
@@ -178,7 +178,7 @@ TEST_P(IntervalsStage, AtAJointVisibilityMayChangeOnEitherSide) {
     EXPECT_EQ(before[1].segment, 1U);
     EXPECT_EQ(before[1].start_sample, 0);
     EXPECT_EQ(before[1].end_sample, 0) << "of no length";
-    // And in the half sample after it.
+    // The wall begins half a sample after the vertex.
     const Intervals after = intervals(path_scene(25, alpha));
     ASSERT_EQ(after.size(), 2U);
     EXPECT_FLOAT_EQ(after[0].end[0], 24);

@@ -1,6 +1,6 @@
-// Every kernel in every form that a device may get, on small inputs. Twice, with different bytes in
-// new buffers: results that differ depend on memory that nobody had written. And for a checker that
-// watches accesses and races from outside: scripts/check_kernels.sh runs this under Oclgrind.
+// Runs every kernel in every form that a device may get, on small inputs. It runs them twice with
+// different bytes in new buffers: if results differ, they depend on memory that nobody had written.
+// scripts/check_kernels.sh also runs this under Oclgrind, which checks accesses and races.
 //
 //   kernel_check [cpu|gpu PROBES_PER_AXIS]     all forms, or that one
 
@@ -34,7 +34,7 @@ constexpr glm::ivec2 size{40, 30};
 constexpr StageSettings small{
     .depth_scale = 1, .probes = 1, .run_capacity = 256, .tile_pixels = 20};
 
-/// Of a wall on the left and nothing on the right.
+/// The depth of a wall on the left and nothing on the right.
 std::vector<float> make_depth() {
     const glm::ivec2 texels = size * small.depth_scale;
     std::vector<float> depth;
@@ -130,7 +130,7 @@ void append_normals(std::vector<std::byte>& result, compute::Stages& stages, con
     append(result, read_back<ContourCorner>(stages.device(), *turned, chunk.corner_count()));
 }
 
-/// What of the lines the exact method finds to be outline.
+/// Appends the parts of the lines that the exact method finds to be outlines.
 void append_outline(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
                     const Camera& camera) {
     const LineTables tables = upload_lines(stages.device(), lines);
@@ -156,10 +156,10 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
             });
     };
     find();
-    find(); // by batches, whose boxes are made where the model stands still
+    find(); // by batches; their boxes are made when the model stands still
 }
 
-/// How near the planes of all triangles are.
+/// Appends the nearness of the planes of all triangles.
 void append_planes(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
                    const Camera& camera) {
     compute::Device& device = stages.device();
@@ -181,7 +181,7 @@ void append_planes(std::vector<std::byte>& result, compute::Stages& stages, cons
     append(result, read_back<glm::vec4>(device, *planes, lines.triangles.size()));
 }
 
-/// The colours of a picture each of whose texels shows a triangle, or none; a part of it.
+/// Appends the colours of a part of a picture whose texels show triangles or nothing.
 void append_fill(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
                  const Camera& camera) {
     compute::Device& device = stages.device();
@@ -222,16 +222,16 @@ void append_fill(std::vector<std::byte>& result, compute::Stages& stages, const 
     append(result, read_back<la_uint>(device, *pixels, static_cast<std::size_t>(size.x * size.y)));
 }
 
-/// Of a frame whose atlas has to grow.
+/// The filtered state of a frame whose atlas has to grow.
 FrameState filter_with_a_small_atlas(FrameStages& stages, const Camera& camera, FrameState state) {
     stages.compact(camera, state);
-    if (state.runs.empty()) return state; // all that is visible lies beyond
+    if (state.runs.empty()) return state; // all visible parts lie beyond the room
     stages.filter(camera, state);
     stages.density(camera, state);
     return state;
 }
 
-/// A frame up to its runs. Its atlas is done in tiles, then whole.
+/// Runs a frame up to its runs. It makes the atlas by tiles, then as a whole.
 FrameState run_frame(FrameStages& stages, const LineSet& lines, const Camera& camera,
                      const std::vector<float>& depth) {
     FrameState before;
@@ -305,7 +305,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append(result, visible);
     append(result, state.tiles);
     append(result, state.front);
-    // What has no samples, and no length, has no record.
+    // Segments without samples have no record.
     for (std::size_t i = 0; i < state.clipped.size(); ++i) {
         if (state.lengths[i] == 0) state.clipped[i] = {};
     }
@@ -320,7 +320,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append(result, state.weights);
     append(result, stages.strokes(camera, state));
     for (std::uint32_t missing = 1; missing < 5;
-         ++missing) { // last: Oclgrind fails at growing tables
+         ++missing) { // missing room comes last, because Oclgrind fails at growing tables
         FrameState cut = sampled;
         cut.alpha.resize(sampled.offsets.back() - missing);
         append(result, filter_with_a_small_atlas(stages, camera, cut).alpha);
@@ -343,7 +343,7 @@ void check(const compute::OpenClDevice& device, const Form& form, const LineSet&
     const auto result_with = [&](std::uint8_t poison) {
         poison_new_buffers(poison);
         compute::Tuning tuning = compute::tuning_for(shaped);
-        tuning.depth_tile = 32; // Oclgrind takes its time for every texel
+        tuning.depth_tile = 32; // because Oclgrind is slow for every texel
         FrameStages stages{compute::make_opencl_backend(device, {}, tuning), lines, settings};
         name = stages.device().description();
         return run_all(stages, lines, form.whole);
@@ -362,7 +362,7 @@ std::vector<Form> forms(int count, char** arguments) {
     }
     std::vector<Form> all;
     for (const bool cpu : {true, false}) {
-        // How many probes there are changes no stage but `atlas`.
+        // The number of probes changes no stage but `atlas`.
         for (std::uint32_t probes = 1; probes <= 4; ++probes) {
             all.push_back({cpu, probes, probes == 1});
         }

@@ -1,5 +1,5 @@
-// What is wrong with a kernel or with its launch is said by the name of the file with the line, or
-// of the argument.
+// Messages about errors in kernels name the file and the line. Messages about wrong launches name
+// the argument.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// The loader takes the layer at the first OpenCL call: before that.
+/// Set before the first OpenCL call, in which the loader loads the layer.
 const bool layered = setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1) == 0;
 
 OpenClFaults& opencl_faults() {
@@ -35,7 +35,7 @@ OpenClFaults& opencl_faults() {
 
 class KernelMessages : public testing::TestWithParam<std::size_t> {
   protected:
-    /// What launching the kernel says; empty if nothing.
+    /// The message of a launch of the kernel; empty if there is none.
     std::string said_by_launching(const compute::Kernel& kernel,
                                   std::span<const std::byte> parameters = {},
                                   std::span<compute::Buffer* const> tables = {}) {
@@ -106,7 +106,7 @@ TEST_P(KernelMessages, AWrongArgumentHasItsName) {
     EXPECT_EQ(said_by_launching(kernel, std::as_bytes(std::span{&parameters, 1}), tables), "");
 }
 
-/// As rusticl of Mesa 26.1 has it, and others.
+/// The forms of logs by rusticl of Mesa 26.1 and by others.
 TEST(FirstError, IsInItsFile) {
     const std::string source = "a\n#line 7 \"spine.h\"\nb\nc\n#line 30 \"atlas.cl\"\nd\n";
     EXPECT_EQ(compute::first_error("x\ninput.cl:4:1: error: y", source), "spine.h:8:1: error: y");

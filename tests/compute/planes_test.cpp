@@ -1,4 +1,4 @@
-// planes: of triangles by hand, how near their planes are anywhere on the screen.
+// planes: the nearness of the planes of hand-made triangles anywhere on the screen.
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 class PlanesStage : public StageTest {
   protected:
-    /// In the order of `triangles`.
+    /// The planes in the order of `triangles`.
     std::vector<glm::vec4> planes(const std::vector<glm::vec3>& vertices,
                                   const std::vector<glm::uvec3>& triangles, const Camera& camera,
                                   std::vector<std::uint32_t> seen = {}) {
@@ -60,7 +60,7 @@ double nearness_of(const glm::dvec4& clip, bool perspective) {
     return perspective ? 1 / clip.w : 1 - clip.z;
 }
 
-/// Triangles as near to the eye as that, some large, none seen from the edge.
+/// Triangles at these distances, some of them large, none edge on.
 const std::vector<glm::vec3> corners{{0, 0, 0},     {1, 0, 0.2F},  {0.1F, 1, 0},  {-1, 0.3F, -1},
                                      {1.5F, -1, 0}, {0.01F, 0, 0}, {0, 0.01F, 0}, {-1, -1, 3}};
 const std::vector<glm::uvec3> faces{{0, 1, 2}, {2, 1, 0}, {3, 4, 2}, {0, 5, 6}, {7, 4, 2}};
@@ -73,7 +73,7 @@ TEST_P(PlanesStage, GiveNearnessEverywhereOnTheScreen) {
         for (std::size_t i = 0; i < faces.size(); ++i) {
             const glm::dvec3 a{corners[faces[i].x]}, b{corners[faces[i].y]}, c{corners[faces[i].z]};
             const glm::dvec3 unit = glm::normalize(glm::cross(b - a, c - a));
-            // In the triangle and, in its plane, beside it.
+            // Points in the triangle, and points of its plane beside it.
             for (const glm::dvec3 share :
                  {glm::dvec3{1, 0, 0}, glm::dvec3{0.2, 0.3, 0.5}, glm::dvec3{-0.2, 0.7, 0.5}}) {
                 const glm::dvec3 point = a * share.x + b * share.y + c * share.z;
@@ -83,7 +83,7 @@ TEST_P(PlanesStage, GiveNearnessEverywhereOnTheScreen) {
                            nearness_of(clip, perspective);
                 };
                 EXPECT_NEAR(at(point), 0, 1e-6) << i;
-                // What is as far from the plane as `contact` touches it just so.
+                // A point at the distance `contact` from the plane barely touches it.
                 const glm::dvec3 away = point + unit * 0.001;
                 const double touches = found[i].w / (m * glm::dvec4{away, 1}).w;
                 EXPECT_NEAR(std::abs(at(away)) / touches, 1, 2e-3) << i;

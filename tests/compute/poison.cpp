@@ -19,7 +19,7 @@ void poison_new_buffers(std::uint8_t value) {
 
 } // namespace lineatlas::test
 
-/// Stands before the loader's function of this name for everything in this program.
+/// Replaces the loader's function of this name in this program.
 extern "C" CL_API_ENTRY cl_mem CL_API_CALL clCreateBuffer(cl_context context, cl_mem_flags flags,
                                                           std::size_t size, void* memory,
                                                           cl_int* status) {

@@ -32,7 +32,7 @@ std::string key_of(unsigned i) {
 constexpr unsigned program_count = 8;
 constexpr unsigned smallest_program = 100'000;
 
-/// A program of a size of its own that can be known again.
+/// A program that can be recognised by its size and bytes.
 const Bytes& program_of(unsigned i) {
     static const std::vector<Bytes> programs = [] {
         std::vector<Bytes> all;
@@ -47,7 +47,7 @@ const Bytes& program_of(unsigned i) {
     return programs[i];
 }
 
-/// How many programs are found; each must be its own, whole.
+/// The number of programs that are found. Expects that each is the right one and whole.
 unsigned count_found(const ProgramCache& cache) {
     unsigned found = 0;
     for (unsigned i = 0; i < program_count; ++i) {
@@ -69,7 +69,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     return result;
 }
 
-/// Runs `action` in a process of its own.
+/// Runs `action` in another process.
 template <class Action>
 pid_t start_process(Action&& action) {
     const pid_t child = ::fork();
@@ -108,7 +108,7 @@ TEST(ProgramCache, TwoHundredDamagesAreNeverTrusted) {
         for (const unsigned i : {one, other}) cache.store(key_of(i), program_of(i));
         ASSERT_EQ(count_found(cache), program_count);
     }
-    // Some damages are none: a file swapped with itself.
+    // Some damages change nothing, such as a file swapped with itself.
     EXPECT_GT(missed, 180U);
 }
 
@@ -119,7 +119,7 @@ TEST(ProgramCache, TwoHundredKillsLeaveWholeEntriesOnly) {
     const Bytes large[2] = {Bytes(2'000'000, 'a'), Bytes(1'500'001, 'b')};
     std::minstd_rand random{2};
     unsigned interrupted = 0, whole = 0;
-    // A writer lives for up to three files, however slow this machine and its sanitizers are.
+    // A writer lives for up to three files, so that slow machines and sanitizers do not matter.
     const auto start = std::chrono::steady_clock::now();
     ::waitpid(start_process([&] { cache.store(key_of(0), large[0]); }), nullptr, 0);
     const std::chrono::duration<double> longest = 3 * (std::chrono::steady_clock::now() - start);
@@ -139,7 +139,7 @@ TEST(ProgramCache, TwoHundredKillsLeaveWholeEntriesOnly) {
         }
         for (const fs::path& file : files_in(folder.path())) {
             if (file.extension() == ".part") ++interrupted;
-            // Now and then from the start, so that finding nothing is a case too.
+            // Some files are removed, so that the test also finds nothing sometimes.
             if (file.extension() == ".part" || round % 10 == 0) fs::remove(file);
         }
     }
@@ -185,7 +185,7 @@ TEST(ProgramCache, AFolderThatCannotBeWrittenIsNoError) {
     const ProgramCache cache{closed};
     store_all(cache);
     fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
-    cache.store("new", program_of(0)); // nothing keeps a superuser from writing it
+    cache.store("new", program_of(0)); // a superuser can always write it
     EXPECT_EQ(count_found(cache), program_count);
     fs::permissions(closed, fs::perms::owner_all);
 }
@@ -248,7 +248,7 @@ TEST(ProgramCache, DropsTheLongestUnusedBeyondItsLimit) {
         cache.store(key_of(i), program_of(i));
         fs::last_write_time(cache.file_of(key_of(i)), now - std::chrono::hours{10 - i});
     }
-    EXPECT_TRUE(cache.find(key_of(0))); // used again: no longer the oldest
+    EXPECT_TRUE(cache.find(key_of(0))); // it is used, so it is no longer the oldest
     cache.store(key_of(4), program_of(4));
     cache.store(key_of(5), program_of(5));
     EXPECT_TRUE(cache.find(key_of(0)));

@@ -1,4 +1,4 @@
-// Programs out of the cache: on every device, whatever stands in the cache.
+// Programs from the cache on every device, with any content of the cache.
 
 #include <functional>
 
@@ -32,14 +32,14 @@ int run(const OpenClDevice& device, const cl::Context& context, const cl::Progra
     return result;
 }
 
-/// What a program of `recipe` returns that is made with `cache`, on every device.
+/// Tests of programs from the cache on every device.
 class ProgramsOnDevice : public testing::TestWithParam<std::size_t> {
   protected:
     int run_with(const ProgramCache& cache, const ProgramRecipe& recipe) {
         return run(device_, context_, make_program(device_, context_, recipe, &cache));
     }
 
-    /// Does the driver hand out its programs at all?
+    /// True if the driver gives its programs to the cache.
     bool is_cached(const ProgramCache& cache, const ProgramRecipe& recipe) {
         return cache.find(cache_key(device_, recipe)).has_value();
     }
@@ -58,7 +58,7 @@ TEST_P(ProgramsOnDevice, AreTakenOutOfTheCache) {
     EXPECT_EQ(run_with(cache_, two), 2);
     ASSERT_TRUE(is_cached(cache_, one) && is_cached(cache_, two));
 
-    // What stands under its key is what runs.
+    // The entry of a program's key is the program that runs.
     cache_.store(cache_key(device_, one), *cache_.find(cache_key(device_, two)));
     EXPECT_EQ(run_with(cache_, one), 2);
 }

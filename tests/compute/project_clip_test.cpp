@@ -1,4 +1,4 @@
-// project_clip: lines whose clipped ends, lengths, sample counts and own faces are known.
+// project_clip: lines with known clipped ends, lengths, sample counts and own faces.
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -11,7 +11,8 @@ namespace {
 constexpr glm::vec2 viewport{200, 100};
 constexpr float step = 2;
 
-/// Looks along -z from 1 to 3, 90 degrees: x and y over -z, window depth 1.5 + 1.5 / z.
+/// Looks along -z with planes at 1 and 3 and 90 degrees. The window has x and y divided by -z, and
+/// depth 1.5 + 1.5 / z.
 const glm::mat4 perspective{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -2, -1}, {0, 0, -3, 0}};
 
 struct Model {
@@ -26,7 +27,7 @@ struct Model {
         segments.push_back({count - 2, count - 1, LA_NO_FACE, LA_NO_FACE, 0, 0, 0, tag});
         return segments.back();
     }
-    /// A triangle at the last segment; its corners in another order each time.
+    /// Adds a triangle at the last segment, with its corners in another order each time.
     std::uint32_t add_face(glm::vec3 corner) {
         vertices.push_back(corner);
         const auto count = static_cast<std::uint32_t>(triangles.size());
@@ -217,7 +218,8 @@ TEST_P(ProjectClipStage, OwnFacesInPerspectiveAreThoseOfThreePlacesInTheWindow) 
         model.segments.back().face_a = model.add_face(corner);
         const std::uint32_t packed =
             project(model, {.clip_from_world = perspective}).clipped[0].own_a;
-        // Depth is a plane over the window: solved for its change along and across the line.
+        // Depth is a plane over the window. The equations give its change along and across the
+        // line.
         const glm::dvec3 a = window_of(perspective, p), b = window_of(perspective, q),
                          c = window_of(perspective, corner);
         const glm::dvec2 along = glm::normalize(glm::dvec2{b.x - a.x, b.y - a.y});
@@ -266,7 +268,7 @@ TEST_P(ProjectClipHidden, BehindEveryTileThereAreNoSamples) {
     const Projected kept = behind(0.49F, {.keep_clipped = true});
     EXPECT_EQ(kept.counts[0], 0U);
     expect_ends(kept.clipped[0], {-0.5F, 0.12F, 0, 1}, {0.5F, 0.12F, 0, 1}, 0, 1);
-    // Neighbours on its path need to know where it runs.
+    // Neighbours on the path need the place of a hidden segment.
     Model path = line();
     path.segments[0].to_end = 1;
     EXPECT_NEAR(behind(0.49F, {}, path).clipped[0].q[0], 0.5F, 1e-6);
@@ -294,17 +296,18 @@ TEST_P(ProjectClipHidden, OneTileThatAProbeTouchesShowsAll) {
 TEST_P(ProjectClipHidden, ToleranceOwnFacesAndSlopeCountForTheLine) {
     EXPECT_EQ(behind(0.49F, {.tolerance = 0.011F}).counts[0], 50U);
     EXPECT_EQ(behind(0.49F, {.tolerance = 0.009F}).counts[0], 0U);
-    // A face of its own that comes nearer by 0.005 a pixel, for the 1.5 pixels that probes reach.
+    // The line's own face comes nearer by 0.005 per pixel, and probes reach 1.5 pixels.
     Model faced = line();
     faced.segments[0].face_a = faced.add_face({0, 0.52F, -0.2F});
     EXPECT_EQ(behind(0.493F, {}, faced).counts[0], 50U);
     EXPECT_EQ(behind(0.492F, {}, faced).counts[0], 0U);
-    // 0.2 deeper over 100 pixels: 0.003 in 1.5 pixels, and each piece of it has a depth of its own.
+    // The line gets deeper by 0.2 over 100 pixels, that is by 0.003 in 1.5 pixels. Every piece of
+    // it has another depth.
     Model sloped;
     sloped.add({-0.5F, 0.12F, -0.2F}, {0.5F, 0.12F, 0.2F});
     EXPECT_EQ(behind(0.398F, {}, sloped).counts[0], 50U);
     EXPECT_EQ(behind(0.396F, {}, sloped).counts[0], 0U);
-    Options rising; // behind the line at every place, but not behind its nearest
+    Options rising; // behind the line at every place, but not behind the line's nearest point
     for (int i = 0; i < 13 * 7; ++i) {
         rising.tiles.push_back(0.36F + 0.032F * static_cast<float>(i % 13 - 3));
     }

@@ -1,5 +1,5 @@
-// pyramid: one texel in each tile is farther than all others, at places that a wrong tile would
-// miss.
+// pyramid: one texel in each tile is farther than all others. Wrong borders of tiles would miss
+// these texels.
 
 #include "stage_test.hpp"
 

@@ -1,4 +1,4 @@
-// scan: against its oracle, a sum in 64 bits, on every device and in both forms.
+// scan: compared with its oracle, a sum in 64 bits, on every device and in both forms.
 
 #include "compare.hpp"
 #include "compute/oracles/scan.hpp"
@@ -71,7 +71,7 @@ TEST_P(Scan, WhatIsNumberedIsListed) {
             to_device(*on_.device, std::vector<std::uint32_t>(expected.size() + 1, 7));
         on_.stages.scan(*values, n, compute::ScanKind::saturate);
         on_.stages.launch_each<compute::kernels::scan_list>(n, {.values = *values, .list = *list});
-        expected.push_back(7); // and nothing behind it
+        expected.push_back(7); // the element after the total stays
         EXPECT_TRUE(equal(read_back<std::uint32_t>(*on_.device, *list, expected.size()), expected))
             << "n = " << n;
     }

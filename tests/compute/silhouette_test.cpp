@@ -1,4 +1,4 @@
-// silhouette: candidates of which one face is seen and the other is not, numbered.
+// silhouette: numbers candidates with one face towards the eye and one away from it.
 
 #include "stage_test.hpp"
 

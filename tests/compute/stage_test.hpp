@@ -9,8 +9,8 @@
 #include "compare.hpp"
 #include "devices.hpp"
 
-// What the tests of single stages share. Each gives a stage small tables made by hand and knows the
-// answer: by hand too, or computed in double precision by another way than the kernel's.
+// Shared by the tests of single stages. Each test gives a stage small hand-made tables with a known
+// answer: by hand, or computed in double precision in another way than the kernel's.
 namespace lineatlas::test {
 
 /// A stage on every device.
@@ -51,11 +51,11 @@ struct HandLine {
     std::uint32_t from_start = 0, to_end = 0;
     std::uint32_t tag = LA_KIND_CREASE;
     float t0 = 0, t1 = 1;               ///< clip parameters
-    std::uint32_t own_a = 0, own_b = 0; ///< as ClippedSegment has them
+    std::uint32_t own_a = 0, own_b = 0; ///< as in ClippedSegment
     std::uint32_t vertex_p = 0, vertex_q = 0;
 };
 
-/// The tables of a frame made by hand, of lines that are all drawn.
+/// The tables of a hand-made frame. All its lines are drawn.
 class HandFrame {
   public:
     HandFrame(compute::Device& device, std::span<const HandLine> lines);

@@ -1,4 +1,4 @@
-// What a device knows of the memory of its tables.
+// A device's list of the memory of its tables.
 #include <gtest/gtest.h>
 
 #include "compute/stages/table_room.hpp"

@@ -1,5 +1,4 @@
-// temporal: samples averaged with those that were at the same place of the line in the frame
-// before.
+// temporal: averages samples with those at the same place of the line in the frame before.
 
 #include "stage_test.hpp"
 
@@ -22,7 +21,7 @@ HandLine line(std::uint32_t samples, float t0 = 0, float t1 = 1, float wp = 1, f
 
 class TemporalStage : public StageTest {
   protected:
-    /// Of the last of the frames, each averaged with the one before.
+    /// The samples of the last frame, after each frame was averaged with the one before.
     std::vector<std::uint8_t> averaged(const std::vector<Frame>& frames, bool forget = false) {
         const auto n = frames[0].lines.size();
         const auto history_alpha = put(std::vector<std::uint8_t>(64));
@@ -70,18 +69,20 @@ TEST_P(TemporalStage, EachFrameIsAveragedWithTheAverage) {
 }
 
 TEST_P(TemporalStage, SamplesAreFoundByTheirPlaceOnTheLine) {
-    // Half of the line now fills as many samples as that half did: sample j was sample 4 + j.
+    // Half of the line is left with as many samples as that half had before. Sample j was sample 4
+    // + j.
     const Frame before{{line(8)}, {0, 0, 0, 0, 100, 150, 200, 50}};
     const Frame half{{line(4, 0.5F, 1)}, {140, 110, 240, 90}};
     EXPECT_TRUE(equal(averaged({before, half}), {109, 141, 209, 59}));
-    // What was not in the picture before is as it is now.
+    // Parts that were outside the picture before are not averaged.
     const Frame later{{line(4, 0.5F, 1)}, {100, 100, 100, 100}};
     const Frame whole{{line(8)}, {60, 60, 60, 60, 60, 60, 60, 60}};
     EXPECT_TRUE(equal(averaged({later, whole}), {60, 60, 60, 60, 91, 91, 91, 91}));
 }
 
 TEST_P(TemporalStage, BetweenTwoSamplesTheirMeanCounts) {
-    // Twice as many samples before, whatever the perspective: sample j lay between 2 j and 2 j + 1.
+    // Before there were twice as many samples, in any perspective. Sample j lay between 2 j and 2 j
+    // + 1.
     for (const auto& [wp, wq] : {std::pair{1.0F, 1.0F}, {1.0F, 4.0F}, {3.0F, 0.5F}}) {
         const Frame before{{line(6, 0, 1, wp, wq)}, {90, 110, 140, 160, 200, 220}};
         const Frame now{{line(3, 0, 1, wp, wq)}, {60, 110, 250}};
@@ -90,8 +91,9 @@ TEST_P(TemporalStage, BetweenTwoSamplesTheirMeanCounts) {
 }
 
 TEST_P(TemporalStage, PerspectiveDecidesWhatLiesWhere) {
-    // In both frames what is seen runs from w = 1 to w = 3: of the whole line before, of its first
-    // half now. A sample lies at the share u on the screen, s of the line, and lay at v.
+    // In both frames the visible part goes from w = 1 to w = 3. Before, it was the whole line; now
+    // it is the first half. A sample is at the share u on the screen and s of the line, and was at
+    // v.
     std::vector<std::uint8_t> ramp;
     for (int i = 0; i < 16; ++i) ramp.push_back(static_cast<std::uint8_t>(60 + 8 * i));
     const Frame before{{line(16, 0, 1, 1, 3)}, ramp};
@@ -99,7 +101,8 @@ TEST_P(TemporalStage, PerspectiveDecidesWhatLiesWhere) {
     std::vector<std::uint8_t> expected;
     for (int j = 0; j < 4; ++j) {
         const double u = (j + 0.5) / 4;
-        // The place (1 - f) p + f q in space is seen where f 3 to (1 - f) 1 is as u to 1 - u.
+        // The place (1 - f) p + f q in space is at the share u on the screen with 3 f : (1 - f) = u
+        // : (1 - u).
         const double s = u / (u + 3 * (1 - u)) * 0.5;
         const double v = 3 * s / (3 * s + 1 - s);
         const double past = 60 + 8 * (v * 16 - 0.5);

@@ -1,6 +1,6 @@
-// What a new stage takes is its kernel (toy/toy.cl), its row of kernels/kernels.h (toy/row.h, which
-// CMake puts there) and who launches it: this file. The list of kernels, devices, comparison and
-// profile know it by that.
+// A new stage needs its kernel (toy/toy.cl), its row of kernels/kernels.h (toy/row.h, which CMake
+// puts there) and code that launches it (this file). The list of kernels, devices, comparison and
+// profile then know it.
 #include "compute/compare/comparing_device.hpp"
 #include "stage_test.hpp"
 

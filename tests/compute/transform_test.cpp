@@ -1,5 +1,4 @@
-// transform, transform_bounds and transform_forget: objects moved by matrices whose effect is
-// plain.
+// transform, transform_bounds and transform_forget: objects moved by matrices with known effects.
 
 #include "stage_test.hpp"
 

@@ -1,5 +1,5 @@
-// Visible parts of a piece (kernels/visible_parts.h) against sorted ranges, and how often the faces
-// before a piece are gone through.
+// Visible parts of a piece (kernels/visible_parts.h) compared with sorted ranges, and the number of
+// passes over the faces before a piece.
 
 #include <algorithm>
 #include <vector>
@@ -25,10 +25,10 @@ struct Range {
 
 struct Cut {
     std::vector<Range> visible;
-    int windows = 0; ///< how often all ranges were gone through
+    int windows = 0; ///< passes over all ranges
 };
 
-/// As visible.cl does it, of a piece so many pixels long.
+/// Finds the visible parts as visible.cl does, in a piece of this length.
 Cut cut(const std::vector<Range>& hidden, float pixels) {
     Cut result;
     std::vector<float> out(2 * (hidden.size() + 1));
@@ -51,7 +51,7 @@ Cut cut(const std::vector<Range>& hidden, float pixels) {
     return result;
 }
 
-/// What no range covers.
+/// The parts that no range covers.
 std::vector<Range> rest_of(std::vector<Range> ranges) {
     std::ranges::sort(ranges, {}, &Range::from);
     std::vector<Range> rest;
@@ -80,7 +80,7 @@ TEST(VisibleParts, AreWhatNoRangeCovers) {
                 EXPECT_EQ(found.visible[i].from, expected[i].from);
                 EXPECT_EQ(found.visible[i].to, expected[i].to);
             }
-            // Each time but the last takes as many ranges as make a piece full.
+            // Each pass but the last takes as many ranges as fill a piece.
             EXPECT_LE(found.windows, 1 + count / (MOST_PARTS - 1)) << count;
         };
         look();

@@ -31,7 +31,7 @@ TEST(Turned, GoesCounterClockwiseSeenFromAbove) {
     expect_near(turned(view, axis, 0.75).eye, {-4, 3, 2});
     EXPECT_EQ(turned(view, axis, 0.5).near, 0);
     EXPECT_EQ(turned(view, axis, 0.5).far, 0);
-    // What is upwards turns, too.
+    // The direction upwards turns, too.
     expect_near(turned({.up = {0, 1, 0}}, {.direction = {0, 0, 1}}, 0.25).up, {-1, 0, 0});
     EXPECT_THROW(turned(view, {.direction = {0, 2, 0}}, 0.25), UsageError);
     EXPECT_THROW(turned(view, {.direction = {0, not_a_number, 0}}, 0.25), UsageError);
@@ -72,8 +72,8 @@ TEST(CameraPath, PassesItsKeysAndRestsBetweenThoseThatAreAlike) {
     EXPECT_EQ(path.view(4).eye, second.eye);
     EXPECT_EQ(path.view(5).eye, second.eye);
     EXPECT_EQ(path.view(100).eye, second.eye);
-    // A cubic with the slope of the way at its start and none at its end: in the middle it is
-    // 1/2 + 1/8 of the way.
+    // The cubic starts with the slope of a straight way and ends with slope 0. In the middle it has
+    // done 1/2 + 1/8 of the way.
     EXPECT_NEAR(path.view(2.25).eye.x, 4 * 0.625F, 1e-5F);
     EXPECT_NEAR(path.view(2.25).fov_y, 0.5F + 0.4F * 0.625F, 1e-5F);
     EXPECT_EQ(path.view(2.25).projection, Projection::perspective);

@@ -220,7 +220,7 @@ TEST(CameraEye, OfAParallelProjectionIsTheDirectionTowardsTheViewer) {
     }
 }
 
-/// A cabinet projection, common in technical drawing: depth is drawn to the side and upwards.
+/// A cabinet projection is common in technical drawing. It draws depth to the side and upwards.
 TEST(CameraEye, OfAnObliqueParallelProjectionIsTheDirectionTowardsTheViewer) {
     glm::mat4 shear{1};
     shear[2] = {-0.35F, -0.35F, 1, 0};
@@ -322,7 +322,7 @@ TEST(BoundsOf, TakesWhatTrianglesAndPolylinesUse) {
     EXPECT_THROW(bounds_of(mesh), UsageError);
 }
 
-/// Where a point is seen: pixels from the lower left corner.
+/// The place of a point in the picture: pixels from the lower left corner.
 glm::vec2 pixel(const Camera& camera, glm::vec3 point) {
     return (glm::vec2{device_position(camera, point)} + 1.0F) * 0.5F * glm::vec2{camera.size};
 }
@@ -413,7 +413,7 @@ TEST(ViewDirection, SidesLieAsADraughtsmanPutsThem) {
     expect("back", y, {0, 0, -1}, y);
     expect("left", y, {-1, 0, 0}, y);
     expect("right", y, {1, 0, 0}, y);
-    expect("top", y, {0, 1, 0}, {0, 0, -1}); // the front is below
+    expect("top", y, {0, 1, 0}, {0, 0, -1}); // the front is at the bottom of the picture
     expect("bottom", y, {0, -1, 0}, {0, 0, 1});
     expect("front", z, {0, -1, 0}, z);
     expect("right", z, {1, 0, 0}, z);

@@ -77,11 +77,11 @@ Graph random_graph(test::Random& random, std::uint32_t vertices, std::uint32_t e
     return graph;
 }
 
-/// All that chains promise, for any graph of at most 64 edges at a vertex.
+/// Expects all that chains promise, for any graph with at most 64 edges at a vertex.
 void expect_sound(const Graph& graph, float angle) {
     const float smallest = std::cos(angle);
     const Chains chains = graph.chains(angle);
-    // Per edge and end (0 at p, 1 at q) the edge that goes on there, or itself.
+    // Per edge and end (0 at p, 1 at q) the next edge, or the edge itself if none follows.
     std::vector<std::array<std::uint32_t, 2>> next(graph.edges.size());
     for (std::uint32_t e = 0; e < next.size(); ++e) next[e] = {e, e};
     std::vector<int> seen(graph.edges.size(), 0);
@@ -106,8 +106,8 @@ void expect_sound(const Graph& graph, float angle) {
     EXPECT_EQ(std::ranges::count(seen, 1), static_cast<std::ptrdiff_t>(seen.size()))
         << "an edge is missing or stands twice";
 
-    // No two edges that may go on into each other are left when each has nothing, or only something
-    // less straight.
+    // Two edges that may continue each other are never left apart while each has no next edge or
+    // only a less straight one.
     const auto reached = [&](std::uint32_t edge, std::uint32_t vertex) {
         const std::uint32_t other = next[edge][graph.edges[edge].p == vertex ? 0 : 1];
         return other == edge ? -2.0F : graph.straightness(edge, other, vertex);

@@ -1,4 +1,4 @@
-// Line sets that a program has made or changed: what kernels and GL would read out of range.
+// Line sets that a program has made or changed, in which kernels and GL would read out of range.
 
 #include "core/check_lines.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t far_out = 1U << 30U;
 
-/// With everything that a line set may have.
+/// A line set with all tables that it may have.
 LineSet whole_set() {
     Mesh mesh = test::sphere(2);
     mesh.groups = {{.object = "ball", .material = "", .color = glm::vec3{1, 0, 0}}};

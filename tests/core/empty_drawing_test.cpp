@@ -1,4 +1,4 @@
-// Drawings without a line: which they are, as far as the camera tells, and what is said.
+// Drawings without a line: how they are recognised from the camera, and the message about them.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Numbers in text, as every option, style and file has them.
+// Numbers in the text of options, styles and files.
 #include <cmath>
 #include <string_view>
 

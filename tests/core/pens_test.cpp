@@ -121,7 +121,8 @@ TEST(Pens, ABrushLeavesStreaksAlongTheStroke) {
     EXPECT_GT(across, 2 * along);
 }
 
-/// The texture repeats along the stroke: its end must go on in its start, or the mark jumps there.
+/// The texture repeats along the stroke. Its end must continue in its start, or the mark jumps
+/// there.
 TEST(Pens, MarksRepeatWithoutASeam) {
     for (const PenName& pen : pen_names()) {
         const PenMark mark = make_pen(pen.name, 4);
@@ -132,7 +133,8 @@ TEST(Pens, MarksRepeatWithoutASeam) {
         }
         EXPECT_LE(change_after(mark, mark.size.x - 1), largest) << pen.name;
     }
-    // Two columns far apart look different, neighbours alike: noise that does not wrap would jump.
+    // Columns far apart look different, and neighbours look alike. Noise that does not wrap would
+    // jump.
     const PenMark ink = make_pen("fine", 8);
     const double far = change_after(ink, ink.size.x - 1);
     EXPECT_LT(far, 12);
@@ -144,7 +146,7 @@ TEST(Pens, DashesAndDotsGrowWithTheWidth) {
         for (const float width : widths) {
             const PenMark mark = make_pen(name, width);
             EXPECT_FLOAT_EQ(mark.repeat_length, length * std::max(1.0F, width));
-            if (width < 2) continue; // antialiasing takes its part
+            if (width < 2) continue; // antialiasing blurs narrower marks
             double sum = 0;
             for (const std::uint8_t coverage : mark.coverage) sum += coverage / 255.0;
             EXPECT_NEAR(sum / static_cast<double>(mark.coverage.size()), share, 0.03)
@@ -153,7 +155,7 @@ TEST(Pens, DashesAndDotsGrowWithTheWidth) {
     }
 }
 
-/// The grain must change across a wide stroke as often as its pixels ask.
+/// Across a wide stroke the grain must change as often per pixel as across a narrow one.
 TEST(Pens, GrainKeepsItsSizeOnTheScreen) {
     const auto change_per_pixel = [](float width) {
         const PenMark mark = make_pen("pencil", width);

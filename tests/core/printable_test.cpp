@@ -1,4 +1,4 @@
-// Text out of files, as it stands in messages and on a terminal.
+// Text from files, in messages and on a terminal.
 
 #include <string>
 
@@ -21,7 +21,7 @@ TEST(Printable, WhatATerminalObeysDoesNot) {
     EXPECT_EQ(printable("\x1b[31mred\x07", much), "?[31mred?");
     EXPECT_EQ(printable("a\r\nb\tc\x7f", much), "a??b?c?");
     EXPECT_EQ(printable("\u009b31m", much), "?31m");                // C1: CSI in one letter
-    EXPECT_EQ(printable("\u202egpj.exe\u2028", much), "?gpj.exe?"); // turns, and ends a line
+    EXPECT_EQ(printable("\u202egpj.exe\u2028", much), "?gpj.exe?"); // turned; ends a line
     EXPECT_EQ(printable(std::string("a\0b", 3), much), "a?b");
 }
 

@@ -1,4 +1,4 @@
-// Chunks of a segment table: whole paths, none left out, no more than fit.
+// Chunks of a segment table have whole paths, leave no path out and are no larger than fits.
 
 #include <gtest/gtest.h>
 

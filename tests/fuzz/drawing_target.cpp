@@ -1,4 +1,4 @@
-// A drawing that `lineatlas check` reads back: LINEATLAS_FUZZ_EXTENSION is ".svg" or ".json".
+// Reads a drawing as `lineatlas check` does. LINEATLAS_FUZZ_EXTENSION is ".svg" or ".json".
 #include <cmath>
 
 #include "fuzz.hpp"

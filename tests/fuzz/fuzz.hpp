@@ -14,8 +14,8 @@
 
 namespace lineatlas::fuzz {
 
-/// A file of this process, in memory where the system has such a folder, written anew for every
-/// input: what is tried is what a user's file goes through, its way from the disk included.
+/// Writes an input to a file of this process, which lies in memory if the system has such a folder.
+/// So an input takes the same way as a user's file, including its way from the disk.
 std::filesystem::path put_file(std::string_view extension, std::span<const std::uint8_t> bytes);
 
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
@@ -28,7 +28,7 @@ inline void expect(bool condition, std::string_view what) {
     std::abort();
 }
 
-/// A refusal is one line that names the file.
+/// Expects that a refusal is one line that names the file.
 inline void expect_good_refusal(const Error& error, const std::filesystem::path& path) {
     const std::string message = error.what();
     expect(message.find('\n') == std::string::npos, "a message of several lines: " + message);
@@ -38,6 +38,6 @@ inline void expect_good_refusal(const Error& error, const std::filesystem::path&
 
 } // namespace lineatlas::fuzz
 
-/// What libFuzzer and tests/fuzz/replay_main.cpp call. Anything that leaves it as an exception is a
+/// libFuzzer and tests/fuzz/replay_main.cpp call this function. Every exception that leaves it is a
 /// finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

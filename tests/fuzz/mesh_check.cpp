@@ -9,7 +9,7 @@ namespace lineatlas::fuzz {
 
 void try_mesh(const std::filesystem::path& path) {
     try {
-        const LoadedMesh loaded = parse_mesh(read_mesh_source(path)); // by no process of its own
+        const LoadedMesh loaded = parse_mesh(read_mesh_source(path)); // in this process
         expect(is_sound(loaded), "a model that is not sound");
         extract_lines(loaded.mesh);
     } catch (const FileError& error) {

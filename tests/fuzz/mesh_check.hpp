@@ -4,7 +4,7 @@
 
 namespace lineatlas::fuzz {
 
-/// Loads a mesh and extracts its lines: it is sound, or refused in one line.
+/// Loads a mesh and extracts its lines. Expects that the mesh is sound, or refused in one line.
 void try_mesh(const std::filesystem::path& path);
 
 } // namespace lineatlas::fuzz

@@ -1,4 +1,4 @@
-// One mesh format: LINEATLAS_FUZZ_EXTENSION, e.g. ".obj".
+// Reads the mesh format of LINEATLAS_FUZZ_EXTENSION, for example ".obj".
 #include "fuzz.hpp"
 #include "mesh_check.hpp"
 

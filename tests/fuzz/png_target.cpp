@@ -1,5 +1,5 @@
-// A picture that a pen paints with. Sums of its chunks are put right, or hardly any change would
-// get beyond them.
+// Reads the picture of a pen's mark. The checksums of its chunks are corrected, because readers
+// refuse nearly every changed picture by them.
 #include <zlib.h>
 
 #include "fuzz.hpp"
@@ -16,7 +16,7 @@ void mend(std::vector<std::uint8_t>& file) {
     constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     if (file.size() < signature.size()) return;
     std::copy(signature.begin(), signature.end(), file.begin());
-    constexpr std::size_t around = 12; // length and name before, a sum behind
+    constexpr std::size_t around = 12; // length and name before the data, a checksum after
     for (std::size_t at = signature.size(); at + around <= file.size();) {
         const std::size_t length = number_at(std::span{file}.subspan(at));
         if (length > file.size() - at - around) return;

@@ -13,14 +13,15 @@ using Bytes = std::vector<unsigned char>;
 constexpr std::string_view key = "a key";
 const Bytes program{'a', ' ', 'p', 'r', 'o', 'g', 'r', 'a', 'm', 0, 1, 2, 3, 0xFF};
 
-/// As a file of the cache: it is the program that was stored, or nothing.
+/// Tries the bytes as a file of the cache. Expects the stored program or nothing.
 void try_as_entry(const compute::ProgramCache& cache, std::span<const std::uint8_t> bytes) {
     fuzz::write_file(cache.file_of(key), bytes);
     const std::optional<Bytes> found = cache.find(key);
     fuzz::expect(!found || *found == program, "a program that was not stored");
 }
 
-/// As a key and a program: what is stored is found, until a byte of the entry changes.
+/// Tries the bytes as a key and a program. Expects that the stored program is found until a byte of
+/// its entry changes.
 void try_as_program(const compute::ProgramCache& cache, std::span<const std::uint8_t> bytes) {
     const std::size_t place = bytes[0];
     const std::size_t length = std::min<std::size_t>(bytes[1], bytes.size() - 2);

@@ -1,4 +1,5 @@
-// Runs inputs through a fuzz target without a fuzzer: the files given, and all in folders given.
+// Runs inputs through a fuzz target without a fuzzer: the given files, and all files in given
+// folders.
 #include <algorithm>
 #include <iostream>
 #include <vector>
@@ -34,5 +35,5 @@ int main(int argc, char** argv) {
         LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
     }
     std::cout << files.size() << " inputs\n";
-    return files.empty() ? 1 : 0; // nothing to try is a mistake in the call
+    return files.empty() ? 1 : 0; // a call without any input is a mistake
 }

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::expect_good_refusal(error, path);
         return 0;
     }
-    // Whatever was accepted can be written and is the same again.
+    // An accepted style can be written, and is the same when it is read again.
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(written.data());
     const std::filesystem::path again = fuzz::put_file(".toml", {bytes, written.size()});
     fuzz::expect(write_style(load_style(again.string())) == written,

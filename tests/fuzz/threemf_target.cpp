@@ -1,5 +1,5 @@
-// 3MF: the package itself, or the model in one. Sums in an archive are wrong after any change, so
-// that nothing behind them would ever be reached.
+// Reads 3MF: a package, or the model in one. The model is tried by itself because every change
+// makes the checksums of an archive wrong, and then its content is never read.
 #include "fuzz.hpp"
 #include "mesh_check.hpp"
 #include "threemf_files.hpp"

@@ -1,4 +1,4 @@
-// What is said about drivers that share, refuse, lie, crash or hang.
+// The answers of probes about drivers that share, refuse, lie, crash or hang.
 
 #include <chrono>
 
@@ -92,7 +92,7 @@ TEST_F(UsesLayer, NothingIsSharedWithoutAGlContext) {
     EXPECT_EQ(interop::gl_sharing_obstacle(device()), "no GL context is current");
 }
 
-/// `lineatlas devices`, which tries each mode in a process of its own.
+/// Runs `lineatlas devices`, which tries each mode in a separate process.
 class GlSharingTool : public Tool {
   protected:
     static Result devices(const std::string& behaviour, const std::string& options = "") {

@@ -14,7 +14,7 @@
 
 namespace lineatlas::test {
 
-/// Makes the OpenCL loader take the layer; before the first OpenCL call of the process.
+/// Makes the OpenCL loader load the layer. Call it before the first OpenCL call of the process.
 inline void use_gl_sharing_layer() {
     ::setenv("OPENCL_LAYERS", LINEATLAS_GL_SHARING_LAYER, 1);
 }
@@ -27,7 +27,7 @@ inline LayerCounts take_counts() {
     return take();
 }
 
-/// How the driver behaves from now on; see gl_sharing_layer/layer.cpp.
+/// Sets the behaviour of the driver from now on; see gl_sharing_layer/layer.cpp.
 inline void behave(const char* behaviour) {
     ::setenv("LINEATLAS_TEST_LAYER", behaviour, 1);
 }
@@ -38,17 +38,17 @@ class UsesLayer : public testing::Test {
     UsesLayer() {
         use_gl_sharing_layer();
         behave("");
-        device(); // the loader takes the layer in the first call
+        device(); // the loader loads the layer in the first call
     }
     ~UsesLayer() override { behave(""); }
 
     static compute::OpenClDevice device() { return compute::list_opencl_devices().at(0); }
 };
 
-/// With a GL context made by EGL.
+/// Tests with a GL context that EGL has made.
 class GlSharing : public UsesLayer {
   protected:
-    /// Why there is no Vulkan device that exports memory to GL, or nothing.
+    /// The reason why no Vulkan device exports memory to GL; empty if one does.
     static std::string missing_vulkan() {
         behave("external");
         const std::string reason =

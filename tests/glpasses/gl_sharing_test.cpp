@@ -1,5 +1,5 @@
-// gl-sharing, on a driver made up by gl_sharing_layer: the order of GL and OpenCL, and that nothing
-// is used by the side that does not have it.
+// gl-sharing on an imitated driver (gl_sharing_layer): the order of GL and OpenCL, and that neither
+// side uses an object that it does not have.
 
 #include <cstdlib>
 #include <numeric>
@@ -177,19 +177,19 @@ TEST_F(GlSharing, CopiesBringWhatWasWrittenAndNoMore) {
     std::vector<std::uint32_t> expected(count, 1);
     std::iota(expected.begin(), expected.begin() + 4, 0U);
     EXPECT_TRUE(equal(seen_by_gl(), expected));
-    // A kernel that only reads: nothing comes back.
+    // A kernel that only reads causes no copy back.
     const auto list = cpp->allocate(64);
     stages.launch_each<compute::kernels::scan_list>(3, {.values = table.compute(), .list = *list});
-    clear_by_gl(table.gl(), 7); // behind its back
+    clear_by_gl(table.gl(), 7); // without the layer's knowledge
     EXPECT_TRUE(equal(seen_by_gl(), std::vector<std::uint32_t>(count, 7)));
-    // Nor does what lies behind the part that means something.
+    // Bytes after the used part are not copied back either.
     table.set_size(2 * sizeof(std::uint32_t));
     stages.scan(table.compute(), 3, compute::ScanKind::wrap);
     EXPECT_EQ(seen_by_gl()[3], 7U);
     EXPECT_EQ(seen_by_gl()[1], 0U);
 }
 
-// What the other tests rely on: the layer notices every mistake, and data shows some of them.
+// The other tests rely on this: the layer notices every mistake, and data shows some of them.
 
 TEST_F(GlSharing, TheLayerNoticesUseWithoutAcquire) {
     Counted counted{device()};

@@ -1,4 +1,5 @@
-// The context of a window of X: its properties are GLX's. Needs a display (xvfb-run gives one).
+// The context of an X window, whose properties are those of GLX. Needs a display (xvfb-run gives
+// one).
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -7,7 +8,7 @@
 #include "glpasses/interop/connect.hpp"
 #include "glpasses/interop/gl_context.hpp"
 
-// As in GLFW/glfw3native.h, which would want the headers of half of X.
+// Declared here as in GLFW/glfw3native.h, because that needs many headers of X.
 extern "C" {
 void* glfwGetX11Display();
 void* glfwGetGLXContext(GLFWwindow* window);
@@ -16,7 +17,7 @@ void* glfwGetGLXContext(GLFWwindow* window);
 namespace lineatlas::test {
 namespace {
 
-/// A window that nobody sees, and its context.
+/// A hidden window and its context.
 class GlxSharing : public UsesLayer {
   protected:
     void SetUp() override {
@@ -56,7 +57,7 @@ TEST_F(GlxSharing, AnEglContextOfTheSameProcessIsTakenWhereItIsCurrent) {
     EXPECT_EQ(properties[2], CL_EGL_DISPLAY_KHR);
 }
 
-/// The layer refuses properties of any other context than the current one.
+/// The layer refuses the properties of every context but the current one.
 TEST_F(GlxSharing, SharesBuffersAndTextures) {
     for (const char* behaviour : {"", "events"}) {
         behave(behaviour);

@@ -1,4 +1,4 @@
-// Every mode that works on this machine draws what copying draws, bit by bit, on every device.
+// On every device each mode that works on this machine draws the same as copying, bit by bit.
 
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"

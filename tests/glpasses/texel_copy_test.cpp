@@ -1,4 +1,4 @@
-// Copies of texels by a shader, which a software GL does not choose, are those of the driver.
+// A shader copies texels as the driver does. A software GL does not choose the shader by itself.
 
 #include <cstdint>
 #include <numeric>

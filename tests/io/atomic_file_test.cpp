@@ -1,4 +1,4 @@
-// What stands at the place of a file that is written: links, permissions, what others left there.
+// The place of a file that is written: links, permissions and files that others left there.
 #include "io/atomic_file.hpp"
 
 #include <chrono>
@@ -103,7 +103,7 @@ TEST_F(AtomicFileTest, RemovesWhatKilledWritersLeft) {
         fs::last_write_time(at(name), fs::file_time_type::clock::now() - age);
     };
     plant("there/.lineatlas-1-0.part", std::chrono::hours{2});
-    plant("there/.lineatlas-1-1.part", std::chrono::hours{0}); // somebody may be at work
+    plant("there/.lineatlas-1-1.part", std::chrono::hours{0}); // somebody may still be writing it
     plant("there/.lineatlas-notes", std::chrono::hours{2});
     plant("there/mine.part", std::chrono::hours{2});
     put(at("there/x"), "new");

@@ -36,7 +36,7 @@ class Brep : public testing::Test {
         return load_mesh_isolated(path, limits, options);
     }
 
-    /// Whether it is read; what is refused is refused in one line.
+    /// True if the file is read. Expects that a refusal is one line.
     bool is_read(const std::string& name, std::string_view content,
                  const ReadLimits& limits = {}) const {
         try {
@@ -52,8 +52,8 @@ class Brep : public testing::Test {
         }
     }
 
-    /// The same with every `what`, of which there must be some, made `by`: at once, or Open
-    /// CASCADE doesn't end.
+    /// Reads the content with every `what` replaced by `by`; there must be some. All are replaced
+    /// at once, because otherwise Open CASCADE doesn't end.
     void is_read_changed(const std::string& name, const std::string& content,
                          const std::string& what, const std::string& by) const {
         std::string text = content;

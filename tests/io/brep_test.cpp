@@ -1,4 +1,4 @@
-// STEP and BREP files of shapes whose edges are known, and files that are none.
+// STEP and BREP files of shapes with known edges, and other files.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -95,10 +95,10 @@ TEST_F(Brep, LinesAreTheFilesEdges) {
     LineOptions options;
     const LineSet lines = extract_lines(loaded.mesh, options);
     EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 0U);
-    EXPECT_GT(lines.kind_counts[LA_KIND_SILHOUETTE], 0U); // of the rounded edges
+    EXPECT_GT(lines.kind_counts[LA_KIND_SILHOUETTE], 0U); // silhouettes of the rounded edges
     for (const Segment& segment : lines.segments) {
         if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_CREASE) continue;
-        EXPECT_EQ(lines.vertices[segment.p].z, lines.vertices[segment.q].z); // no smooth one
+        EXPECT_EQ(lines.vertices[segment.p].z, lines.vertices[segment.q].z); // no smooth edge
     }
     options.smooth_edges = true;
     EXPECT_EQ(extract_lines(loaded.mesh, options).kind_counts[LA_KIND_CREASE],
@@ -121,7 +121,8 @@ TEST_F(Brep, ACircleHas24ChordsAtLeast) {
     EXPECT_NEAR(volume(loaded.mesh), 200 * 3.14159265, 10);
 }
 
-// Watson's algorithm takes n² for n holes in a face, in time and in memory: 330 MB for these.
+// Watson's algorithm takes time and memory by the square of the number of holes in a face: 330 MB
+// for these.
 TEST_F(Brep, ManyHolesTakeLittle) {
     constexpr int side = 20;
     const fs::path path = folder_ / "plate.brep";
@@ -156,7 +157,7 @@ std::pair<TopoDS_Shape, double> star() {
     return {BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, 10)).Shape(), 10 * area};
 }
 
-// Of the two algorithms that Open CASCADE has, the faster one fills a bay of this star.
+// The faster one of Open CASCADE's two algorithms fills a bay of this star.
 TEST_F(Brep, FacesEndWhereTheirEdgesRun) {
     const auto [shape, wanted] = star();
     const LoadedMesh loaded = load("star.brep", to_brep(shape));
@@ -165,7 +166,7 @@ TEST_F(Brep, FacesEndWhereTheirEdgesRun) {
     EXPECT_EQ(extract_lines(loaded.mesh).kind_counts[LA_KIND_BOUNDARY], 0U);
 }
 
-/// How far the chords of a circle about the z axis are off it at most, and how many there are.
+/// The largest error of the chords of a circle about the z axis, and the number of chords.
 std::pair<double, std::size_t> chords(const Mesh& mesh, double radius, double z) {
     double most = 0;
     std::size_t count = 0;
@@ -188,7 +189,7 @@ TEST_F(Brep, ChordsAreOffByAQuarterPixelAtMost) {
         EXPECT_NEAR(loaded.deflection, quarter, 1e-3 * quarter);
         const auto [off, count] = chords(loaded.mesh, radius, 1);
         EXPECT_LE(off, 1.001 * quarter) << pixels;
-        EXPECT_GT(off, 0.2 * quarter) << pixels; // no finer than need be
+        EXPECT_GT(off, 0.2 * quarter) << pixels; // no finer than necessary
         EXPECT_GT(count, before);
         before = count;
     }
@@ -199,7 +200,8 @@ TEST_F(Brep, ChordsAreOffByAQuarterPixelAtMost) {
     EXPECT_THROW(load_mesh(folder_ / "a.brep", {.pixels = 0}), UsageError);
 }
 
-/// Calls `compare` with each corner of each triangle, its normal and the triangle's own.
+/// Calls `compare` with each corner of each triangle, the corner's normal and the triangle's
+/// normal.
 template <class Compare>
 void for_each_normal(const Mesh& mesh, const Compare& compare) {
     ASSERT_EQ(mesh.corner_normals.size(), 3 * mesh.triangles.size());
@@ -217,7 +219,7 @@ void for_each_normal(const Mesh& mesh, const Compare& compare) {
 
 TEST_F(Brep, NormalsAreThoseOfTheSurface) {
     static constexpr float close = 1e-5F;
-    // Beside the poles, which have none, what is near them counts.
+    // The poles have no normal, so places near them count.
     for_each_normal(load("a.brep", to_brep(BRepPrimAPI_MakeSphere(1).Shape())).mesh,
                     [](glm::vec3 place, glm::vec3 normal) {
                         EXPECT_LT(glm::distance(place, normal),
@@ -230,7 +232,7 @@ TEST_F(Brep, NormalsAreThoseOfTheSurface) {
     };
     for_each_normal(load("a.brep", to_brep(BRepPrimAPI_MakeCylinder(1, 2).Shape())).mesh,
                     expect_round);
-    // Turned about its axis, and inside out.
+    // The shape is turned about its axis, and inside out.
     gp_Trsf turn;
     turn.SetRotation(gp_Ax1(), 1);
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
@@ -246,7 +248,7 @@ TEST_F(Brep, SmoothSilhouettesTakeThem) {
     const float slope = 1 / std::sqrt(10.0F);
     int round = 0;
     for (const auto& corner : lines.contours.corners) {
-        if (std::abs(corner.normal[2]) > 0.9F) continue; // of an end
+        if (std::abs(corner.normal[2]) > 0.9F) continue; // a corner of an end
         EXPECT_NEAR(corner.normal[2], slope, 1e-5F);
         const glm::vec2 place = glm::normalize(glm::vec2{lines.vertices[corner.vertex]});
         EXPECT_NEAR(corner.normal[0], place.x * 3 * slope, 1e-5F);
@@ -256,7 +258,7 @@ TEST_F(Brep, SmoothSilhouettesTakeThem) {
     EXPECT_GE(round, 48);
 }
 
-/// A ring has the same silhouettes whatever its file calls its surface.
+/// The silhouettes of a ring do not depend on the kind of surface in the file.
 TEST_F(Brep, FreeFormSurfacesHaveSmoothSilhouettesToo) {
     const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(10, 4).Shape();
     View view;
@@ -279,8 +281,8 @@ TEST_F(Brep, FreeFormSurfacesHaveSmoothSilhouettesToo) {
     EXPECT_NEAR(seen(BRepBuilderAPI_NurbsConvert(ring).Shape()), length, 0.005 * length);
 }
 
-/// Where a face bends in kinks it has edges: a prism over an octagon, in one face of a spline of
-/// degree 1.
+/// A face with kinks has edges there. The shape is a prism over an octagon with a single side face,
+/// a spline of degree 1.
 TEST_F(Brep, KinksOfAFaceAreEdges) {
     constexpr int count = 9;
     TColgp_Array1OfPnt points(1, count);
@@ -304,8 +306,9 @@ TEST_F(Brep, KinksOfAFaceAreEdges) {
     EXPECT_TRUE(lines.contours.faces.empty()); // its parts are flat
 }
 
-/// A disc about a pillar, whose hole is as wide as the pillar and has its chords elsewhere: each is
-/// now within the pillar's chords and now outside of them, and the edge all the same in one piece.
+/// A disc about a pillar. The disc's hole is as wide as the pillar, but has its chords at other
+/// places. So each chord is partly within the pillar's chords and partly outside. The edge must
+/// still be one piece.
 TEST_F(Brep, FacesThatTouchAlongACurveDoNotTearIt) {
     constexpr double radius = 10, height = 8;
     gp_Trsf turn;
@@ -326,7 +329,7 @@ TEST_F(Brep, FacesThatTouchAlongACurveDoNotTearIt) {
     view.up = {0, 0, 1};
     const Camera camera = make_camera(view, {1000, 750}, lines.bounds);
     LineVisibility visibility{lines};
-    // Of the hole's edge that half of the pillar that is turned to the eye.
+    // True on the half of the hole's edge that faces the eye.
     const auto is_in_front = [&](const Segment& segment) {
         const glm::vec3 p = lines.vertices[segment.p], q = lines.vertices[segment.q];
         return (segment.tag & LA_TAG_KIND_MASK) == static_cast<la_uint>(LineKind::boundary) &&
@@ -452,7 +455,8 @@ TEST_F(Brep, ChangedNumbersAreReadOrRefused) {
     changed(",#1", ",#2");
     changed(",#", ",#9999999999");
     changed("= NEXT_ASSEMBLY_USAGE_OCCURRENCE", "= PRODUCT_DEFINITION");
-    // A part that is part of itself, and one that holds what holds it. Numbers are the writer's.
+    // A part that is part of itself, and one that contains its own container. The numbers are those
+    // of the writer.
     std::smatch use;
     ASSERT_TRUE(std::regex_search(
         step, use, std::regex{R"((NEXT_ASSEMBLY_USAGE_OCCURRENCE\([^#]*)#(\d+)(,\s*)#(\d+))"}));

@@ -45,7 +45,7 @@ Style with_centre_lines() {
     return style;
 }
 
-/// 40 by 40 by 10, with a round hole of radius 5 through its middle.
+/// A plate of 40 by 40 by 10 with a round hole of radius 5 through its middle.
 TopoDS_Shape plate() {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, 0), 40, 40, 10).Shape();
     const gp_Ax2 axis(gp_Pnt(0, 0, -1), gp_Dir(0, 0, 1));
@@ -62,7 +62,7 @@ class CentreLines : public Brep {
         return lines_of(shape).kind_counts.at(static_cast<std::size_t>(kind));
     }
 
-    /// Lengths of the lines of a kind in a parallel view, in pixels.
+    /// The lengths of the lines of a kind in a parallel view, in pixels.
     std::vector<double> lengths(const TopoDS_Shape& shape, const std::string& direction,
                                 const Style& style = with_centre_lines(),
                                 LineKind kind = LineKind::centre) {
@@ -157,7 +157,7 @@ TEST_F(CentreLines, FarApartEachHasItsOwn) {
     for (const double length : found) EXPECT_NEAR(length, with_ends(10), 0.01);
 }
 
-/// A cube of which one edge is rounded.
+/// A cube with one rounded edge.
 TopoDS_Shape rounded_cube() {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
     BRepFilletAPI_MakeFillet rounded(box);

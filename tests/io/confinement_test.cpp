@@ -1,5 +1,5 @@
-// What a process that reads files is left with: planted readers try what a hostile file that has
-// taken over a parser would try.
+// The rights of a process that reads files. Planted readers try what a hostile file would try after
+// it has taken over a parser.
 
 #include <array>
 #include <cerrno>
@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file says which port.
+/// The file holds the port.
 ReaderKind::Parse try_everything(const fs::path& path, std::string_view) {
     Target target{path.string(), 0};
     std::ifstream{path} >> target.port;
@@ -52,7 +52,7 @@ ReaderKind::Parse try_everything_by_a_thread(const fs::path& path, std::string_v
     };
 }
 
-/// What a parser needs: memory, threads, exceptions.
+/// Uses what parsers need: memory, threads, exceptions.
 ReaderKind::Parse work(const fs::path& path, std::string_view) {
     return [path](ReaderOutput& output) {
         std::vector<char> memory(64 << 20, 'x');
@@ -68,7 +68,7 @@ ReaderKind::Parse work(const fs::path& path, std::string_view) {
     };
 }
 
-/// Before anything is confined: what came with the process.
+/// Reports what the process has before it is confined.
 ReaderKind::Parse tell_what_it_has(const fs::path&, std::string_view) {
     std::string environment, descriptors;
     for (char** variable = environ; *variable != nullptr; ++variable)
@@ -124,7 +124,7 @@ TEST_F(Confined, AThreadThatALibraryStartsIsRefusedEverythingElse) {
     expect_all_refused("try_everything_by_a_thread");
 }
 
-/// In a copy of this process that has two threads.
+/// Tests in a copy of this process that has two threads.
 TEST_F(Confined, AProcessWithThreadsIsNotConfinedAndMustNotRead) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -163,7 +163,7 @@ TEST_F(Confined, AReaderInheritsNeitherDescriptorsNorSecrets) {
     EXPECT_TRUE(no_new_privileges);
 }
 
-/// In a process of its own, after `prepare`: the errors of what it tries.
+/// The errors of all attempts in a new process, after `prepare`.
 std::vector<int> errors_after(const std::function<void()>& prepare, const Target& target) {
     int pipe[2];
     if (::pipe(pipe) != 0) return {};

@@ -1,5 +1,5 @@
-// Damaged STEP, IGES and BREP files in a program that only calls load_mesh(), as those that embed
-// the library and Python do: what crashes on them must not be this program.
+// Damaged STEP, IGES and BREP files in a program that only calls load_mesh(), like Python and
+// programs that embed the library. A crash must not end this program.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -46,7 +46,7 @@ std::string without_line(std::string_view text, std::size_t left_out) {
 
 class DamagedModels : public testing::Test {
   protected:
-    /// What load_mesh() says; empty if it reads the file.
+    /// The message of load_mesh(); empty if it reads the file.
     std::string message(const fs::path& path, const LoadOptions& options = {}) const {
         try {
             load_mesh(path, options);
@@ -60,7 +60,7 @@ class DamagedModels : public testing::Test {
 };
 
 TEST_F(DamagedModels, TheyAreReadOrRefusedInOneLine) {
-    constexpr std::size_t tries = 12; // of each
+    constexpr std::size_t tries = 12; // tries of each format
     std::size_t crashes = 0;
     for (const fs::path& sound : sound_models()) {
         EXPECT_EQ(message(sound), "");
@@ -76,8 +76,8 @@ TEST_F(DamagedModels, TheyAreReadOrRefusedInOneLine) {
             if (said.find("its reader crashed") != said.npos) ++crashes;
         }
     }
-    // Else nothing here shows what becomes of one. Open CASCADE 7.6 has several; a sanitizer, which
-    // sees to crashes itself, lets none through.
+    // Without a crash this test shows nothing. Open CASCADE 7.6 crashes on several files. A
+    // sanitizer handles crashes itself.
     EXPECT_TRUE(crashes > 0 || reader::sanitized);
 }
 
@@ -85,8 +85,8 @@ TEST_F(DamagedModels, LimitsAreThoseOfTheOptions) {
     const fs::path pin = sound_models().front();
     EXPECT_NE(message(pin, {.read_seconds = 0.001}).find("LoadOptions::read_seconds allows more"),
               std::string::npos);
-    // With less and less memory it is the whole model or one line, never a part: Open CASCADE goes
-    // on without the faces that it had no memory for.
+    // With ever less memory the result is the whole model or a message of one line, never a part of
+    // the model. Open CASCADE itself goes on without faces that it had no memory for.
     const std::size_t whole = load_mesh(pin).mesh.triangles.size();
     for (const double memory : {1e-6, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3, 6e-3, 7e-3, 8e-3, 0.1}) {
         const std::string said = message(pin, {.read_memory = memory});

@@ -1,4 +1,4 @@
-// Parts that stand apart, where arithmetic says.
+// Exploded parts are at the computed places.
 #include "lineatlas/explode.hpp"
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace lineatlas {
 namespace {
 
-/// Adds a box of 2 by 2 by 2 about a place, as an object of its own.
+/// Adds a box of 2 by 2 by 2 about a place, as another object.
 void add_box(LoadedMesh& model, glm::vec3 middle, std::uint32_t object) {
     Mesh& mesh = model.mesh;
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -32,8 +32,8 @@ void add_box(LoadedMesh& model, glm::vec3 middle, std::uint32_t object) {
     }
 }
 
-/// A base about 0, and an arm of two bolts about x = 10 and x = 20: its middle is at 15, that of
-/// all at 10.
+/// A base about 0, and an arm of two bolts about x = 10 and x = 20. The middle of the arm is at 15,
+/// that of the whole at 10.
 LoadedMesh robot() {
     LoadedMesh model;
     model.parts = {{.name = "robot"},
@@ -51,7 +51,7 @@ glm::vec3 middle_of(const LoadedMesh& model, std::size_t box) {
     return 0.5F * (model.mesh.positions[8 * box] + model.mesh.positions[8 * box + 7]);
 }
 
-/// From x to x.
+/// The trails, each from one x to another.
 std::vector<std::array<float, 2>> trails(const LoadedMesh& model) {
     std::vector<std::array<float, 2>> found;
     for (std::size_t i = 0; i < model.mesh.polylines.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(Explode, MovesPartsFromTheMiddleOfTheirAssembly) {
     LoadedMesh model = robot();
     explode(model, {.factor = 2});
     EXPECT_EQ(middle_of(model, 0), glm::vec3(-10, 0, 0));
-    // The arm goes 5 to the right; its bolts 5 to either side besides.
+    // The arm moves by 5 to the right, and its bolts by another 5 to either side.
     EXPECT_EQ(middle_of(model, 1), glm::vec3(10, 0, 0));
     EXPECT_EQ(middle_of(model, 2), glm::vec3(30, 0, 0));
     EXPECT_EQ(trails(model),
@@ -124,7 +124,8 @@ TEST(Explode, SurfacesAndCurvesGoWithTheirParts) {
     Mesh& mesh = model.mesh;
     mesh.surfaces.shapes.resize(1);
     mesh.surfaces.surfaces.resize(1);
-    mesh.surfaces.of_triangle.assign(36, 0); // of all parts: each gets one of its own
+    // One surface for all parts, so that each part gets its own.
+    mesh.surfaces.of_triangle.assign(36, 0);
     mesh.surfaces.parameters.resize(36);
     mesh.known_edges = {{16, 17, KnownEdge::Kind::sharp, 0}};
     mesh.edge_curves = {EdgeCurve{.center = {20, 0, 0}, .u = {1, 0, 0}, .v = {0, 1, 0}}};

@@ -1,4 +1,4 @@
-// glTF and GLB files made here: what they hold is known, and what they must not hold is refused in
+// glTF and GLB files that are made here. Their content is known, and wrong content is refused in
 // one line.
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ class Gltf : public testing::Test {
         return load("a.glb", to_glb(cube_json(nodes, "", members), cube_bytes()));
     }
 
-    /// What is said of the file, behind its name.
+    /// The message about the file, without its name.
     std::string refusal(const std::string& name, std::string_view content) const {
         const fs::path path = file(name, content);
         const std::string begin = "cannot read \"" + path.string() + "\": ";
@@ -109,7 +109,7 @@ TEST_F(Gltf, NodesMoveWhatIsBelowThem) {
         R"({"name":"left","mesh":0,"scale":[-2,1,1]},)"
         R"({"name":"right","mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476]}])");
     EXPECT_EQ(loaded.mesh.triangles.size(), 24U);
-    // Outward, though one of them is mirrored.
+    // Both look outwards, although one of them is mirrored.
     EXPECT_NEAR(volume(loaded.mesh), 3, 1e-5);
     const Bounds bounds = bounds_of(loaded.mesh);
     EXPECT_NEAR(bounds.min.x, 8, 1e-6);
@@ -192,7 +192,7 @@ TEST_F(Gltf, LinesAreLines) {
 }
 
 TEST_F(Gltf, SparseValuesTakeTheirPlaces) {
-    // The corner 7 goes to (3, 3, 3).
+    // Corner 7 moves to (3, 3, 3).
     const std::string bytes =
         cube_bytes() +
         GltfBytes{}.add(std::vector<std::uint16_t>{7, 0}).add(std::vector<float>{3, 3, 3}).bytes();
@@ -228,8 +228,8 @@ TEST_F(Gltf, QuantizedPositionsAreNumbers) {
     EXPECT_FLOAT_EQ(loaded.mesh.precision, std::sqrt(3.0F) / 255);
 }
 
-// Two squares side by side, the left one on a grid of 1/127, the right one on one of 1/255: their
-// common corners at 0.3 are 0.29921 and 0.30196.
+// Two squares side by side: the left one on a grid of 1/127, the right one on a grid of 1/255. So
+// their common corners at 0.3 are at 0.29921 and 0.30196.
 TEST_F(Gltf, PrimitivesMeetWhereRoundingHasPartedThem) {
     const auto read = [&](int of_left, int of_right) {
         const auto a = static_cast<std::int8_t>(of_left);
@@ -271,8 +271,7 @@ TEST_F(Gltf, PrimitivesMeetWhereRoundingHasPartedThem) {
 }
 
 TEST_F(Gltf, SkinsTakeTheirStoredPose) {
-    // All of the cube hangs on one joint, which stands at (0, 5, 0); the node's own place is
-    // nothing to it.
+    // The whole cube belongs to one joint at (0, 5, 0). The place of its own node does not count.
     const std::vector<std::uint8_t> joints(32, 0);
     std::vector<float> weights;
     for (int i = 0; i < 8; ++i) weights.insert(weights.end(), {1, 0, 0, 0});
@@ -297,7 +296,8 @@ TEST_F(Gltf, SkinsTakeTheirStoredPose) {
 }
 
 TEST_F(Gltf, InstancesStandWhereTheirAttributesSay) {
-    // Two: at (2, 0, 0), twice as large; at (0, 0, 5), turned by 180 degrees about z.
+    // Two instances: one at (2, 0, 0), twice as large, and one at (0, 0, 5), turned by 180 degrees
+    // about z.
     const std::string bytes = cube_bytes() + GltfBytes{}
                                                  .add<float>({2, 0, 0, 0, 0, 5})
                                                  .add<std::int8_t>({0, 0, 0, 127, 0, 0, 127, 0})
@@ -497,7 +497,7 @@ TEST_F(Gltf, DamagedCompressionIsRefused) {
 } // namespace lineatlas::test
 
 int main(int argc, char** argv) {
-    // Files are read as the tool reads them, in confined processes of their own.
+    // Files are read as by the tool, in separate, confined processes.
     if (const std::optional<int> code = lineatlas::serve_as_reader(argc, argv)) return *code;
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

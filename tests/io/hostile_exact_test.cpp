@@ -1,6 +1,6 @@
-// STEP, IGES and BREP files made to hurt: cut off, of the wrong types, referring to themselves,
-// with counts beyond all measure, numbers that are none, nested a million deep. Each is read, where
-// the hurt is nowhere that counts, or refused in one line (see Brep::is_read()).
+// Hostile STEP, IGES and BREP files: cut off, of wrong types, referring to themselves, with huge
+// counts, without numbers, or nested a million deep. Each is refused in one line, or read if the
+// damage does not matter (see Brep::is_read()).
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 enum class Fate { refused, either };
 
-/// Every `what` of a sound file made `by`.
+/// A change of a sound file: every `what` is replaced by `by`.
 struct Hurt {
     std::string what, by;
     Fate fate = Fate::refused;
@@ -115,7 +115,7 @@ TEST_F(HostileExact, BrepOfReferencesAndNumbers) {
             {"1 -2.44929359829471e-16 2", "1e400 inf 2", Fate::either},
             {"1 0 0 2 0 0 1 1", "9 0 0 2 0 0 1 1"},
             {"2 0 0 2 0 0 1 1", "77 0 0 2 0 0 1 1"},
-            // an array of no end
+            // an endless array
             {"Surfaces 3\n", "Surfaces 3\n9 1 1 1 1 2000000000 2000000000 2000000000 2 "}});
 }
 
@@ -125,7 +125,7 @@ TEST_F(HostileExact, Iges) {
             {"G0000001", "D0000001", Fate::either},
             {"308,15,308,15", "99999999999999999999,15,308,15", Fate::either},
             {"2HMM", "2HXX", Fate::either},
-            // what refers to itself, or to more than there is
+            // references to themselves, or beyond the end
             {"186,5,1,0", "186,3,1,0", Fate::either},
             {"514,3,7,1,39", "514,3,5,1,5", Fate::either},
             {"514,3,", "514,2000000000,", Fate::either},

@@ -1,6 +1,5 @@
-// Mesh files of every type with something wrong, made here and read as the tool reads them. Each is
-// either a sound mesh with lines in it or refused in one line that says what is wrong with the
-// file; none reaches a limit or ends its reader.
+// Wrong mesh files of every type, made here and read as by the tool. Each gives a sound mesh with
+// lines, or is refused in one line that names the error. None reaches a limit or ends its reader.
 
 #include <cmath>
 #include <filesystem>
@@ -77,7 +76,8 @@ TEST_F(HostileMeshes, CutAnywhere) {
         const std::size_t step = 1 + whole.size() / 50;
         for (std::size_t size = 0; size < whole.size(); size += step) {
             const auto loaded = load(type, std::string_view{whole}.substr(0, size));
-            // Lines of OBJ stand alone: cut between two, nothing says that there were more.
+            // Lines of OBJ are independent. If a file is cut between two lines, nothing tells that
+            // there were more.
             EXPECT_TRUE(!loaded || type.name == "obj") << type.name << " cut at " << size;
         }
     }
@@ -90,7 +90,7 @@ TEST_F(HostileMeshes, CountsThatAreWrong) {
         for (const char* count : {"-1", "0", "1", "1000", "2147483647", "2147483648", "4294967295",
                                   "4000000000", "99999999999999999999", "1e9", "x"}) {
             const auto faces = load(type, type.write(block_on_cube(), {.faces = count}));
-            // The first face alone is a file that ends too late, which is none that is broken.
+            // With a count of 1 the file only has bytes after its end, so it is not broken.
             EXPECT_TRUE(!faces || std::string_view{count} == "1" ||
                         std::string_view{count} == "1e9")
                 << type.name << ": faces " << count;
@@ -149,7 +149,7 @@ TEST_F(HostileMeshes, FarFromZero) {
         if (!loaded) continue;
         EXPECT_EQ(loaded->origin, glm::dvec3(1e7, -2e7, 5e6)) << type.name;
         ASSERT_EQ(loaded->mesh.positions.size(), model.points.size()) << type.name;
-        if (type.extension == ".stl") continue; // in another order
+        if (type.extension == ".stl") continue; // STL has another order
         for (std::size_t i = 0; i < model.points.size(); ++i)
             for (int axis = 0; axis < 3; ++axis)
                 EXPECT_NEAR(loaded->mesh.positions[i][axis],

@@ -1,5 +1,6 @@
-// A reader that a hostile file has taken over answers as it likes. What comes of it here is a sound
-// model, which the library then draws, or one line; in no more memory and time than was allowed.
+// A reader that a hostile file has taken over may answer anything. The result must be a sound
+// model, which the library then draws, or a message of one line, within the allowed memory and
+// time.
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ LoadedMesh cube() {
     return loaded;
 }
 
-/// The same as one part.
+/// The same cube as one part.
 LoadedMesh part(const std::string& name) {
     LoadedMesh loaded = cube();
     loaded.parts = {{.name = name, .parent = none, .object = 0}};
@@ -62,14 +63,14 @@ LoadedMesh part(const std::string& name) {
 
 using Change = void (*)(LoadedMesh&);
 
-/// What a reader may make of a cube, and whether a file's own reader could have.
+/// A reader's answer, made from a cube. is_sound: a file's own reader could give it.
 struct Answer {
     std::string_view name;
     bool is_sound;
     Change change;
 };
 
-/// Says that each side of a cube is curved, and all of them one ball.
+/// Claims that every side of a cube is curved, and that together they are one ball.
 void add_ball(Mesh& mesh, double radius) {
     for (const glm::uvec3 corners : mesh.triangles)
         for (int k = 0; k < 3; ++k)
@@ -306,7 +307,7 @@ const std::vector<Answer> answers{
      }},
 };
 
-/// Ways to answer that are no model. Each talks to the socket itself.
+/// Answers that are no model. Each of these functions writes to the socket itself.
 using Talk = void (*)(ReaderOutput&);
 
 void start_answer(ReaderOutput& output) {
@@ -320,7 +321,7 @@ void flood(ReaderOutput& output, std::uint64_t count) {
     const std::vector<char> zeros(std::size_t{1} << 20U);
     for (;;) output.values(std::span<const char>{zeros});
 }
-/// What comes before the parts, and what before the groups.
+/// Write the answer up to the parts, and up to the groups.
 void before_parts(ReaderOutput& output) {
     start_answer(output);
     output.value(std::uint64_t{0}); // notes
@@ -341,7 +342,7 @@ void before_groups(ReaderOutput& output) {
 }
 
 constexpr std::uint64_t million_million = 1'000'000'000'000;
-/// As many empty texts as would fit if each took only what was received of it.
+/// As many empty texts as would fit if each took only its received bytes.
 constexpr std::uint64_t most_texts = (std::uint64_t{64} << 20U) / sizeof(std::uint64_t);
 
 const std::map<std::string_view, Talk> talks{
@@ -420,7 +421,7 @@ constexpr std::array kinds{ReaderKind{"mesh", open_any}};
 
 class HostileReaders : public testing::Test {
   protected:
-    /// Empty where a model came, which has been put where `loaded` is.
+    /// Empty if a model came. Then `loaded` is that model.
     std::string answer(std::string_view way, const ReadLimits& limits, LoadedMesh& loaded) {
         const fs::path file = folder_.path() / (std::string{way} + ".obj");
         std::ofstream{file} << "something";
@@ -441,7 +442,7 @@ class HostileReaders : public testing::Test {
     TemporaryFolder folder_;
 };
 
-/// All that a program does with a model.
+/// Uses a model in all ways in which a program does.
 void use(LoadedMesh& loaded) {
     const LineSet lines = extract_lines(loaded.mesh, {.separate_objects = true});
     const PartPaths paths = part_paths(loaded);

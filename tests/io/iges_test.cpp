@@ -1,4 +1,4 @@
-// IGES files of shapes whose edges are known, and files that are none.
+// IGES files of shapes with known edges, and other files.
 #include <string>
 #include <string_view>
 
@@ -59,7 +59,7 @@ TEST_F(Iges, SurfacesBecomeBodiesThatLookOutwards) {
 }
 
 TEST_F(Iges, FacesInNoGroupAreOnePart) {
-    // Each is an entity of its own at the top of the file.
+    // Each face is a separate entity at the top of the file.
     TopoDS_Compound faces;
     BRep_Builder builder;
     builder.MakeCompound(faces);
@@ -178,7 +178,7 @@ TEST_F(Iges, ChangedNumbersAreReadOrRefused) {
     changed("144,", "142,");
     changed("120,", "128,");
     changed("0.,0.,", "1e,99");
-    // Pointers to the entity itself, to one that holds it, to none.
+    // Pointers to the entity itself, to one that contains it, and to none.
     changed(",1,", ",9,");
     changed(",3,", ",999999999,");
     changed(",5,", ",-5,");

@@ -63,7 +63,7 @@ testing::AssertionResult has(std::string_view text, std::string_view part) {
     return testing::AssertionFailure() << '"' << text << "\" lacks \"" << part << '"';
 }
 
-/// Smooth in both directions, every alpha from 0 up.
+/// A gradient in both directions with every alpha from 0 up.
 Image gradient(int channels, glm::ivec2 size = {64, 48}) {
     Image image{.size = size, .channels = channels, .pixels = {}};
     for (int y = 0; y < size.y; ++y)
@@ -92,7 +92,8 @@ int largest_difference(const Image& a, const Image& b) {
 
 } // namespace
 
-// First: once the module is loaded here, its libraries have threads and no process is started.
+// This test must be the first one. Once the module is loaded here, its libraries have threads, and
+// no process is started.
 TEST_F(ImageIo, AWriterIsLikeWriteImage) {
     for (const bool own_process : {true, false}) {
         if (!own_process) write_image(folder_ / "loads.png", gradient(1));
@@ -235,7 +236,7 @@ TEST_F(ImageIo, PathsThatCannotBeWrittenAreFoundBeforehandAndAtWriting) {
 }
 
 TEST_F(ImageIo, ReadOnlyFolderIsFoundBeforehand) {
-    // /proc takes no new file from anyone; permission bits would not stop the superuser.
+    // Nobody can make a file in /proc. Permission bits would not stop the superuser.
     if (!fs::is_directory("/proc/self")) GTEST_SKIP() << "no /proc on this system";
     EXPECT_TRUE(
         has(error_of([] { check_image_path("/proc/self/a.png"); }), "cannot be written to"));

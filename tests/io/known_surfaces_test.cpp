@@ -1,5 +1,5 @@
-// The surfaces that a file of exact geometry has: evaluated, they are where Open CASCADE put the
-// triangles, and look where it says that they look.
+// The surfaces of files of exact geometry. Their computed places are those of Open CASCADE's
+// triangles, and their normals are its normals.
 #include <limits>
 #include <vector>
 
@@ -37,8 +37,8 @@ namespace {
 
 class KnownSurfacesOfFiles : public Brep {
   protected:
-    /// Every triangle has a surface, which goes through its corners with the normals there, and
-    /// changes as its derivatives say.
+    /// Expects that every triangle has a surface. The surface goes through the triangle's corners
+    /// with their normals, and its derivatives are right.
     static void check(const Mesh& mesh) {
         const KnownSurfaces& known = mesh.surfaces;
         ASSERT_EQ(known.of_triangle.size(), mesh.triangles.size());
@@ -69,7 +69,7 @@ class KnownSurfacesOfFiles : public Brep {
         EXPECT_GT(normals, 0);
     }
 
-    /// By differences.
+    /// Checks derivatives by differences.
     static void check_derivatives(const SurfaceShape& shape, glm::dvec2 at) {
         constexpr double step = 1e-5;
         const SurfacePoint point = evaluate(shape, at);
@@ -129,7 +129,7 @@ TEST_F(KnownSurfacesOfFiles, SplinesAndWhatIsMadeOfThem) {
     check(face(new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.2), 1, 1));
 }
 
-/// As parts of an assembly stand, also one of the other hand.
+/// Surfaces at the places of parts in an assembly, also of a mirrored part.
 TEST_F(KnownSurfacesOfFiles, StandWhereTheirPartsDo) {
     gp_Trsf turned, mirrored;
     turned.SetRotation(gp_Ax1(gp_Pnt(1, 0, 0), gp_Dir(1, 2, 3)), 0.7);
@@ -137,7 +137,7 @@ TEST_F(KnownSurfacesOfFiles, StandWhereTheirPartsDo) {
     mirrored.SetMirror(gp_Ax2(gp_Pnt(0, 9, 0), gp_Dir(0, 1, 0)));
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(4, 1).Shape();
     check(torus.Moved(turned));
-    check(BRepBuilderAPI_Transform(torus, mirrored).Shape()); // frames of the other hand
+    check(BRepBuilderAPI_Transform(torus, mirrored).Shape()); // its frames are left-handed
     const Mesh twice =
         load("a.step", to_step({{"ring", torus, {gp_Trsf(), turned}}}), {.pixels = 100}).mesh;
     EXPECT_EQ(twice.surfaces.shapes.size(), 1U);

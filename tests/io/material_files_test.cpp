@@ -1,4 +1,4 @@
-// The material files of an OBJ file: which of them are read.
+// Which material files of an OBJ file are read.
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ class MaterialFiles : public testing::Test {
             std::ofstream{folder / "green.mtl"} << "newmtl paint\nKd 0 1 0\n";
     }
 
-    /// Of a model with these lines before its only triangle, whose material is "paint".
+    /// Loads a model with these lines before its only triangle, whose material is "paint".
     LoadedMesh load(const std::string& lines) const {
         const fs::path path = models_ / "a.obj";
         std::ofstream{path} << lines << "\nusemtl paint\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

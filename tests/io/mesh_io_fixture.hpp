@@ -18,7 +18,7 @@
 #include "lineatlas/io.hpp"
 #include "temporary_folder.hpp"
 
-// Mesh files, a few lines each, and what is said of them.
+// Mesh files of a few lines, and the messages about them.
 namespace lineatlas::test {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ class MeshIo : public testing::Test {
         return load_mesh(file(name, content));
     }
 
-    /// The message, after checking that it is one line that names the file.
+    /// The message about a file. Expects that it is one line that names the file.
     static std::string error_of(const fs::path& path) {
         try {
             load_mesh(path);

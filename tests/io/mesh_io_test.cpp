@@ -84,7 +84,7 @@ TEST_F(MeshIo, PlyErrors) {
     EXPECT_TRUE(
         has(error_of("a.ply", ascii + "element vertex 1\n" + xyz + faces + "2000000000 0 0\n"),
             "claims"));
-    // Where a list is promised and other numbers stand.
+    // A list is promised, but other numbers follow.
     const std::string number = ascii + "element vertex 1\n" + xyz + faces;
     EXPECT_TRUE(
         has(error_of("a.ply", number + "-0.25 0 0 0 0\n"),
@@ -156,7 +156,7 @@ TEST_F(MeshIo, StlWithACountThatIsTooSmall) {
     EXPECT_EQ(all.mesh.triangles.size(), 2U);
     ASSERT_EQ(all.notes.size(), 1U);
     EXPECT_EQ(all.notes[0], "its header promises 1 triangle, all 2 that follow are read");
-    // What others append need not be triangles.
+    // Bytes after the triangles need not be triangles.
     const LoadedMesh some = load("a.stl", binary_stl(1, two_facets) + "x");
     EXPECT_EQ(some.mesh.triangles.size(), 1U);
     ASSERT_EQ(some.notes.size(), 1U);
@@ -260,7 +260,7 @@ TEST_F(MeshIo, OmOfBothPrecisionsAndVersions) {
         EXPECT_EQ(mesh.triangles.size(), 2U);
         EXPECT_NEAR(area(mesh), 2.0, 1e-9);
         for (std::size_t size = 1; size < bytes.size(); ++size) {
-            // Any cut may fall behind the last chunk that matters, never inside one.
+            // A file may be cut after the last chunk that matters, but not within such a chunk.
             const fs::path cut = file("cut.om", std::string_view(bytes).substr(0, size));
             try {
                 EXPECT_NEAR(area(load_mesh(cut).mesh), 2.0, 1e-9) << size;
@@ -288,7 +288,7 @@ TEST_F(MeshIo, OmErrors) {
     EXPECT_TRUE(has(error_of("a.om", "OMX"), "OM header"));
 }
 
-// Every byte of small files changed: whatever comes out, it is a mesh or a FileError.
+// Every byte of small files is changed. The result must be a mesh or a FileError.
 TEST_F(MeshIo, DamagedFilesNeverDoMoreThanThrow) {
     std::string ply =
         "ply\nformat binary_little_endian 1.0\n" + ply_square.substr(0, ply_square.find("0 0 0"));

@@ -1,4 +1,4 @@
-// What is said of modules that are not there.
+// Messages about missing modules.
 #include <string>
 
 #include <gtest/gtest.h>

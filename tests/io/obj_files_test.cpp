@@ -1,4 +1,4 @@
-// Files of meshes whatever their format, and OBJ.
+// Mesh files of any format, and OBJ.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,7 +8,7 @@
 namespace lineatlas::test {
 namespace {
 
-// What is wrong before any format comes into it.
+// Errors that do not depend on the format.
 
 TEST_F(MeshIo, NamesWhatIsNoMeshFile) {
     EXPECT_TRUE(has(error_of(folder_.path() / "none.obj"), "no such file"));
@@ -157,7 +157,7 @@ TEST_F(MeshIo, MostFacesNotFiniteIsAnError) {
                     "2 of 3 faces"));
 }
 
-// Polygons, the same way from every type
+// Polygons are cut in the same way for every type
 
 TEST_F(MeshIo, PolygonsAreTriangulatedWithoutOverlap) {
     const auto check = [&](const std::string& vertices, const std::string& face,
@@ -178,7 +178,7 @@ TEST_F(MeshIo, PolygonsAreTriangulatedWithoutOverlap) {
 }
 
 TEST_F(MeshIo, StronglyConcavePolygonsAreQuickAndRight) {
-    // A comb: every second corner is deep inside, so that most ears are blocked.
+    // A comb. Every second corner is deep inside, so that most ears are blocked.
     constexpr int teeth = 2500;
     std::ostringstream text;
     int corners = 0;

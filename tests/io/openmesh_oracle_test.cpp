@@ -1,5 +1,5 @@
-// PLY, OFF and STL as they are read here against OpenMesh's own readers, on files that those read
-// right.
+// Readers of PLY, OFF and STL compared with those of OpenMesh, on files that OpenMesh reads
+// correctly.
 
 #include <cstdint>
 #include <sstream>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-// OpenMesh's vectors are not initialised when a property is made; GCC warns where that is inlined.
+// OpenMesh makes properties of uninitialised vectors. GCC warns where that code is inlined.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -39,7 +39,7 @@ Soup read_here(const std::string& extension, const std::string& bytes) {
     return extension == ".off" ? read_off(source) : read_stl(source);
 }
 
-/// OpenMesh does not find out by itself that an STL file is binary, or what an OFF file has beside
+/// OpenMesh does not detect by itself that an STL file is binary, or what an OFF file has besides
 /// positions.
 HalfedgeMesh read_by_openmesh(const std::string& extension, const std::string& bytes) {
     HalfedgeMesh mesh;
@@ -119,7 +119,7 @@ TEST(OpenMeshReaders, AgreeOnFilesOfEveryType) {
     EXPECT_EQ(tried, 7 * 4);
 }
 
-/// Of OFF without colours, behind which its reader loses its place.
+/// OFF is written without colours, because OpenMesh's reader loses its place after colours.
 TEST(OpenMeshReaders, AgreeOnWhatOpenMeshWritesWithNormalsAndColours) {
     const int all = Options::VertexNormal | Options::VertexColor | Options::FaceColor;
     const std::pair<const char*, Options> kinds[] = {{".ply", all},

@@ -1,4 +1,4 @@
-// The process that encodes pictures, with a module that tries what it must not be able to do.
+// The process that encodes pictures, with a module that tries forbidden things.
 
 #include <chrono>
 #include <cstdlib>
@@ -87,16 +87,16 @@ TEST(PictureProcess, TakesNoMoreMemoryAndTimeThanAPictureNeeds) {
                                    : testing::AssertionFailure() << text;
     };
     if (!reader::sanitized) {
-        // Touching all of it may take a slow machine seconds.
+        // A slow machine may need seconds to touch all of the memory.
         ImageWriter patient{"memory.png", {.memory = std::uint64_t{256} << 20U, .time = 60s}};
         EXPECT_TRUE(
             ends_with(write("memory", patient), "encoding it needs more than 0.25 GiB of memory"));
     }
     ImageWriter writer{"time.png", {.memory = std::uint64_t{256} << 20U, .time = 2s}};
     EXPECT_TRUE(ends_with(write("time", writer), "encoding it took more than 2 s"));
-    if (reader::sanitized) return; // it sees to crashes itself, and nothing is confined
+    if (reader::sanitized) return; // a sanitizer handles crashes itself, and nothing is confined
     EXPECT_TRUE(ends_with(write("crash", writer), "was ended by signal 11"));
-    EXPECT_EQ(write("0 .", writer), "written"); // by a process that is another one each time
+    EXPECT_EQ(write("0 .", writer), "written"); // by another process each time
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// Files are read in processes of their own. Here with readers that do the worst: what they do ends
-// in one clear line, and leaves no process, no descriptor and no file behind.
+// Files are read in separate processes, here with the worst possible readers. Each ends in one
+// clear line, and leaves no process, no descriptor and no file.
 
 #include <array>
 #include <atomic>
@@ -59,7 +59,7 @@ void allocate_at_once(ReaderOutput&) {
     volatile std::size_t size = std::size_t{1} << 40U;
     std::vector<char> all(size);
 }
-/// As an embedded library may: what `new` cannot give becomes something else.
+/// Hides a lack of memory, as libraries may: the failure of `new` becomes another error.
 void hide_lack_of_memory(ReaderOutput& output) {
     try {
         volatile std::size_t size = std::size_t{1} << 40U;
@@ -74,13 +74,13 @@ void talk(ReaderOutput& output) {
     output.value(reader::Answer::read);
     output.text("done");
 }
-/// Takes 16 MiB in small blocks and frees them; says how much of it went back to the system.
+/// Takes 16 MiB in small blocks and frees them. Reports how much went back to the system.
 void churn(ReaderOutput& output) {
     const auto end_of_heap = [] { return static_cast<const char*>(::sbrk(0)); };
     const char* highest = nullptr;
     {
         std::vector<std::vector<char>> blocks;
-        blocks.reserve(256); // nothing stays behind them
+        blocks.reserve(256); // no block stays after them
         for (int i = 0; i < 256; ++i) blocks.emplace_back(64 << 10, 'x');
         highest = end_of_heap();
     }
@@ -142,7 +142,7 @@ std::size_t open_descriptors() {
         std::distance(fs::directory_iterator{"/proc/self/fd"}, fs::directory_iterator{}));
 }
 
-/// Gone, or only waiting to be asked how it ended.
+/// True if the process is gone, or only waits to report its end.
 bool is_dead(pid_t process) {
     std::ifstream file{"/proc/" + std::to_string(process) + "/stat"};
     std::string number, name, state;
@@ -178,7 +178,7 @@ class Reading : public testing::Test {
         return "no error";
     }
 
-    /// What reading says, after checking that nothing is left of it.
+    /// The message of a read file. Expects that the read leaves nothing.
     std::string message(std::string_view kind, const ReadLimits& limits = {}) {
         const std::size_t descriptors = open_descriptors();
         std::string text = message_of([&] {
@@ -195,7 +195,7 @@ class Reading : public testing::Test {
         return text.substr(std::min(start.size(), text.size()));
     }
 
-    /// The process that a program reads by.
+    /// The reader process of a program.
     static pid_t reader_of(pid_t program) {
         std::vector<pid_t> children;
         comes_true([&] { return !(children = test::children_of(program)).empty(); });
@@ -259,7 +259,7 @@ TEST_F(Reading, SurvivesTheKillOfItsProcess) {
     EXPECT_TRUE(is_dead(process));
 }
 
-/// However the program ends that reads.
+/// The reading program may end in any way.
 TEST_F(Reading, LeavesNoProcessWhenTheProgramEnds) {
     for (const int signal : {SIGKILL, SIGINT, SIGTERM}) {
         std::array<std::string, 3> words{"test", "--read-for-ever", file_.string()};
@@ -290,7 +290,8 @@ TEST_F(Reading, RefusesWhatCannotFitBeforeItIsRead) {
               std::string::npos);
 }
 
-/// A large file need not be a picture.
+/// The limits for pictures do not depend on the size of a file, because a large file need not be a
+/// picture.
 TEST_F(Reading, GivesPicturesTheSameWhateverTheirSize) {
     const ReadLimits usual = limits_for_picture({});
     EXPECT_EQ(usual.memory, std::uint64_t{512} << 20U);

@@ -1,5 +1,5 @@
-// Every thread of every process that works on other people's files, whichever format it reads or
-// writes and whatever its libraries start when they are loaded, as the kernel sees them.
+// The state in the kernel of every thread of processes that work on other people's files: for every
+// format, and including threads that libraries start when they are loaded.
 
 #include <array>
 #include <filesystem>
@@ -28,14 +28,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads, says so, and waits to be looked at.
+/// Reads a file, reports it, and waits until the test has looked.
 template <class Read>
 ReaderKind::Parse stay_after(Read read) {
     return [read](ReaderOutput& output) mutable {
         try {
             read();
         } catch (const FileError&) {
-            // Files that are refused are as good.
+            // Refused files serve the test as well.
         }
         output.value(reader::Answer::read);
         char end = 0;
@@ -89,7 +89,8 @@ class ReaderThreads : public testing::Test {
 };
 
 TEST_F(ReaderThreads, OfModelsAreConfined) {
-    // No more than what chooses the reader: that its libraries are loaded is what matters.
+    // The files have no more than what selects the reader, because only its loaded libraries
+    // matter.
     for (const std::string extension :
          {"obj", "ply", "stl", "off", "om", "gltf", "glb", "3mf", "step", "iges", "brep"}) {
         const fs::path path = write("model." + extension, "something\n");
@@ -106,7 +107,8 @@ TEST_F(ReaderThreads, OfModelsAreConfined) {
 TEST_F(ReaderThreads, OfPicturesAreConfined) {
     const std::vector<std::byte> values(12);
     const Pixels pixels{.size = {2, 2}, .channels = 3, .values = values};
-    ImageWriter writer{"picture.exr"}; // no library, and no thread of one, is in this process
+    // This process has no library of the module and no thread of one.
+    ImageWriter writer{"picture.exr"};
     for (const std::string extension : {"png", "jpg", "tif", "exr", "bmp"}) {
         const fs::path path = folder_.path() / ("picture." + extension);
         writer.write(path, pixels);

@@ -1,5 +1,5 @@
-// Drawings of exact bodies that are round, whose silhouettes are known by hand, seen from all sides
-// and level, where they are hardest to find.
+// Drawings of exact round bodies with known silhouettes, in views from all sides and in level
+// views, where silhouettes are hardest to find.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -43,7 +43,7 @@ namespace {
 
 constexpr glm::vec3 up{0, 0, 1};
 
-/// Pixels to a unit of length.
+/// Pixels per unit of length.
 double scale_of(const View& view, int height) {
     return height / static_cast<double>(shown_height(view));
 }
@@ -51,7 +51,8 @@ double scale_of(const View& view, int height) {
 const std::vector<std::string> level{"front", "back", "left", "right"};
 const std::vector<std::string> aslant{"isometric", "30,20", "75,35", "130,-20", "250,10"};
 
-/// The radii of all that is seen, which is whole circles: smallest first, in the model's units.
+/// The radii of the drawing's lines, which must be whole circles: smallest first, in the model's
+/// units.
 std::vector<double> circles(const VectorDrawing& drawing, double scale) {
     std::vector<double> radii;
     for (const VectorPath& path : drawing.paths) {
@@ -96,7 +97,7 @@ class RoundThings : public Brep {
 
     mutable View view_; ///< of the last drawing
 
-    /// Calls it with the silhouettes from every side.
+    /// Calls `check` with the silhouettes from every side.
     template <class Check>
     void from_all_sides(const TopoDS_Shape& shape, const Check& check) const {
         for (const auto& directions : {level, aslant})
@@ -174,7 +175,8 @@ TEST_F(RoundThings, ATallCylinderHasTwoStraightLines) {
     });
 }
 
-/// A fillet so thin that its triangles lie aslant costs neither it nor others their silhouettes.
+/// A fillet may be so thin that its triangles lie aslant. It and other surfaces keep their
+/// silhouettes.
 TEST_F(RoundThings, ThinFilletsAreNotTorn) {
     for (const double radius : {0.3, 0.5}) {
         SCOPED_TRACE(radius);
@@ -192,15 +194,15 @@ TEST_F(RoundThings, ThinFilletsAreNotTorn) {
         const TopoDS_Shape rounded = fillet.Shape();
         for (const std::string& direction : aslant) {
             SCOPED_TRACE(direction);
-            // One way around the upper rim and down both sides, or less where it is seen from
-            // below.
+            // One path around the upper rim and down both sides, or less in a view from below.
             EXPECT_LE(silhouettes(rounded, direction, {1024, 768}).size(), 3U);
         }
     }
 }
 
-/// One about the z axis, of radii 20 and 5: on its silhouette the normal is at a right angle to the
-/// view, and nothing of it is left out where chords of triangles would go another way.
+/// A torus about the z axis, of radii 20 and 5. On its silhouette the normal is at a right angle to
+/// the view. No part of the silhouette is left out where chords of triangles would take another
+/// way.
 TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
     for (const glm::ivec2 size : {glm::ivec2{1024, 768}, glm::ivec2{4000, 3000}}) {
@@ -208,8 +210,8 @@ TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
             for (const std::string& direction : directions) {
                 SCOPED_TRACE(direction);
                 const std::vector<VectorPath> paths = silhouettes(torus, direction, size);
-                // Level: all around, and nothing else. From above: both rims; aslant, where the
-                // hole is seen through: all around, the near rim of the hole, and the far one.
+                // A level view has only the outline, and a view from above both rims. An oblique
+                // view through the hole has the outline, the near rim of the hole, and the far one.
                 const bool is_level = std::ranges::find(level, direction) != level.end();
                 EXPECT_LE(paths.size(), is_level ? 2U : 5U);
                 const glm::dvec3 eye{view_.eye};
@@ -221,7 +223,7 @@ TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
                         EXPECT_NEAR(glm::distance(at, spine), 5, 1e-3);
                         const double cosine =
                             glm::dot(glm::normalize(at - spine), glm::normalize(eye - at));
-                        // A turn of the normal by that moves the line by 5 times it, in pixels.
+                        // Such a turn of the normal moves the line by 5 times as much, in pixels.
                         EXPECT_LT(std::abs(cosine) * 5 * scale_of(view_, size.y), 0.05);
                     }
                 }
@@ -229,7 +231,7 @@ TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
     }
 }
 
-/// All of it leaves as curves, a sphere's outline as a circle.
+/// All silhouettes become curves, and a sphere's outline becomes a circle.
 TEST_F(RoundThings, SilhouettesLeaveAsCurves) {
     const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(10).Shape();
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
@@ -258,7 +260,7 @@ TEST_F(RoundThings, SilhouettesLeaveAsCurves) {
     }
 }
 
-/// Where there are normals alone, they are curves through the points that these give.
+/// A mesh with normals alone has curves through the points that the normals give.
 TEST_F(RoundThings, SilhouettesOfMeshesLeaveAsCurvesToo) {
     Mesh mesh = load("a.brep", to_brep(BRepPrimAPI_MakeSphere(10).Shape()), {.pixels = 1000}).mesh;
     mesh.surfaces = {};
@@ -280,13 +282,13 @@ TEST_F(RoundThings, SilhouettesOfMeshesLeaveAsCurvesToo) {
                                    3.0 * curve.cubic->last_control + path.points[curve.last].at) /
                                   8.0;
         const double radius = glm::distance(middle, glm::dvec2{size} * 0.5);
-        EXPECT_NEAR(radius, 10 * scale_of(view, size.y), 0.25); // as the triangles are
+        EXPECT_NEAR(radius, 10 * scale_of(view, size.y), 0.25); // the error of the triangles
     }
-    EXPECT_GT(5 * covered, 4 * path.points.size()); // between points that are off, chords stay
+    EXPECT_GT(5 * covered, 4 * path.points.size()); // chords stay between points that are off
     EXPECT_LT(2 * path.curves.size(), path.points.size());
 }
 
-/// Where an outline leaves a rim, both end at one point.
+/// Where an outline leaves a rim, both end at the same point.
 TEST_F(RoundThings, RimsAndSilhouettesMeet) {
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 4, 15).Shape();
     for (const std::string& direction : aslant) {
@@ -311,8 +313,8 @@ TEST_F(RoundThings, RimsAndSilhouettesMeet) {
     }
 }
 
-/// A bored plate, turned and far from the origin, as a file of millimetres and of inches: every rim
-/// that is seen is one circle, one ellipse or a part of them, as wide as in the file.
+/// A bored plate, turned and far from the origin, as a file of millimetres and of inches. Every
+/// visible rim is one circle, one ellipse or a part of these, as wide as in the file.
 TEST_F(RoundThings, RimsAreTheFilesOwnCircles) {
     gp_Trsf place;
     place.SetTranslation(gp_Vec(300, -200, 100));
@@ -339,14 +341,14 @@ TEST_F(RoundThings, RimsAreTheFilesOwnCircles) {
             const VectorArc& arc = path.curves[0].arc;
             const double radius = glm::length(arc.major) / scale_of(view_, 800) / unit;
             EXPECT_NEAR(radius / (radius > 15 ? 25 : 7.5), 1, 1e-6);
-            EXPECT_NEAR(arc.ratio, std::sqrt(1.0 / 3), 1e-5); // by a direction of floats
+            EXPECT_NEAR(arc.ratio, std::sqrt(1.0 / 3), 1e-5); // the direction is of floats
             ++ellipses;
         }
-        EXPECT_EQ(ellipses, 4); // both rims above, and what is seen of those below
+        EXPECT_EQ(ellipses, 4); // both upper rims, and the visible parts of the lower ones
     }
 }
 
-/// A rim seen edge on ends where the silhouettes do that it meets.
+/// A rim in an edge on view ends at the ends of the silhouettes that it meets.
 TEST_F(RoundThings, RimsSeenEdgeOnAreAsWideAsTheyAre) {
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 40).Shape();
     for (const double angle : {0.0, 17.0}) {
@@ -365,7 +367,7 @@ TEST_F(RoundThings, RimsSeenEdgeOnAreAsWideAsTheyAre) {
     }
 }
 
-/// Splines that are circles are circles.
+/// Splines in the form of circles become circles.
 TEST_F(RoundThings, RimsOfSplinesAreCirclesToo) {
     const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(25, 4).Shape();
     const TopoDS_Shape splines = BRepBuilderAPI_NurbsConvert(disc).Shape();
@@ -389,7 +391,7 @@ TopoDS_Shape plate_with_a_wire(double height) {
     return all;
 }
 
-/// What coincides on paper is drawn once, though its chords do not.
+/// Curves that coincide in the drawing are drawn once, although their chords do not coincide.
 TEST_F(RoundThings, ACurveOfTheFileOverARimIsOneCircle) {
     for (const double height : {0.0, 2.0, 4.0, 6.0}) {
         SCOPED_TRACE(height);
@@ -402,7 +404,7 @@ TEST_F(RoundThings, ACurveOfTheFileOverARimIsOneCircle) {
     }
 }
 
-/// Seen along its axis, a torus turns away along two circles.
+/// In a view along its axis the silhouettes of a torus are two circles.
 TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
     const VectorDrawing top =
@@ -413,7 +415,7 @@ TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
     EXPECT_NEAR(radii[1] / 25, 1, 1e-5);
 }
 
-/// Edges and faces are called in SVG what the file calls them.
+/// SVG has the names of edges and faces from the file.
 TEST_F(RoundThings, TagsNameEntities) {
     const std::string step =
         to_step({{"pin", BRepPrimAPI_MakeCylinder(2, 8).Shape(), {gp_Trsf{}}}});
@@ -435,7 +437,7 @@ TEST_F(RoundThings, TagsNameEntities) {
     }
     EXPECT_GE(edges, 2U); // the rims
     EXPECT_GE(faces, 2U); // the silhouettes of its side
-    // In DXF as extended data of every entity.
+    // DXF has the names as extended data of every entity.
     const std::string dxf = to_dxf(pin);
     std::size_t named = 0;
     const std::string data = "1001\nLINEATLAS\n1000\nentity #";

@@ -1,4 +1,5 @@
-// Drawings of round bodies are right by rays, and by their own surfaces, from all sides and level.
+// Drawings of round bodies agree with rays and with the bodies' own surfaces, from all sides and in
+// level views.
 
 #include <optional>
 #include <string>
@@ -34,12 +35,12 @@ const std::vector<std::string> directions{"front", "top", "isometric", "130,-20"
 
 class RoundTruth : public Brep {
   protected:
-    /// For pictures of 1024 pixels.
+    /// The mesh of a shape for pictures of 1024 pixels.
     Mesh mesh_of(const TopoDS_Shape& shape) const {
         return load("a.brep", to_brep(shape), {.pixels = 1024}).mesh;
     }
 
-    /// Of drawings by the method `exact`.
+    /// Expects right drawings by the method `exact`.
     static void expect_right(const Mesh& mesh, const LineSet& lines, double most_off = 0.05) {
         const ModelTruth model{mesh, lines, {.lines = usual_line_kinds}};
         LineVisibility visibility{lines};
@@ -91,8 +92,8 @@ TEST_F(RoundTruth, OfSolids) {
     }
 }
 
-/// What a cut leaves of a surface is still that surface. The cut itself is chords, which lie up to
-/// a third of a pixel behind it.
+/// The rest of a surface after a cut is still that surface. The line of the cut is chords, up to a
+/// third of a pixel behind the surface.
 TEST_F(RoundTruth, OfSections) {
     const Mesh mesh = mesh_of(BRepPrimAPI_MakeTorus(20, 5).Shape());
     const std::vector<SectionPlane> planes{{.point = {0, 3, 0}, .normal = {0, -1, 0}}};
@@ -101,7 +102,7 @@ TEST_F(RoundTruth, OfSections) {
     expect_right(section.mesh, extract_lines(section.mesh), 0.35);
 }
 
-/// Of objects that have moved surfaces have moved with them.
+/// When objects move, their surfaces move with them.
 TEST_F(RoundTruth, OfMovedObjects) {
     Mesh mesh = mesh_of(BRepPrimAPI_MakeTorus(20, 5).Shape());
     const glm::mat4 turn =

@@ -26,19 +26,20 @@ struct Row {
     const char* file;
     std::size_t triangles;
     EdgeCounts counted;
-    EdgeCounts difference{}; ///< what is found here, less what the table says
+    EdgeCounts difference{}; ///< the count found here minus that of the table
 };
 
 constexpr std::array<Row, 7> table{{
     {"featuretype.STL", 3'476, {1'435, 576, 0}},
     {"cycloidal.ply", 43'368, {17'838, 0, 242}},
     {"counter.unitsmm.STL", 83'750, {31'565, 0, 0}},
-    // One triangle has no area. The table's counts are without it, which leaves a hole of three
-    // edges; here it stays, and the crease along one of them is seen.
+    // One triangle has no area. The table counts without it, which leaves a hole of three edges.
+    // Here the triangle stays, and the crease along one of its edges is found.
     {"parking_garage.obj", 6'413, {3'769, 2'578, 0}, {1, -3, 0}},
-    // The table's counts are of polygons cut into fans. load_mesh() cuts its 10,677 polygons, many
-    // of them not flat, along other diagonals; cut into fans beforehand, they give the table's
-    // counts. 80 more creases are seen across slivers as thin as the rounding of their coordinates.
+    // The table counts polygons cut into fans. load_mesh() cuts the file's 10,677 polygons, many of
+    // which are not flat, along other diagonals. If they are cut into fans first, they give the
+    // table's counts. 80 more creases lie across slivers that are as thin as the rounding of their
+    // coordinates.
     {"small_house.obj", 145'842, {49'330, 10'232, 1}, {373, 2, 1}},
     {"koala.obj", 99'994, {479, 0, 0}},
     {"penguin_hr.obj", 26'880, {198, 0, 0}},
@@ -68,7 +69,7 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
     replace_slivers(welded, normals, edges);
     const std::vector<double> bends = bends_of(edges, normals);
     LineOptions options;
-    options.crease = std::numbers::pi_v<float> / 6; // as the table counts; noise and all
+    options.crease = std::numbers::pi_v<float> / 6; // as the table counts, including noise
     options.lines = mask_of(LineKind::crease) | mask_of(LineKind::boundary);
     EdgeCounts difference{.creases = -row.counted.creases,
                           .boundaries = -row.counted.boundaries,
@@ -86,7 +87,8 @@ TEST_P(SharedMesh, HasTheEdgesOfTheTable) {
     EXPECT_EQ(difference.non_manifold, row.difference.non_manifold);
 }
 
-/// What is noise, by docs/lines.md: nothing to speak of in what was designed, most in scans.
+/// Noise in the sense of docs/lines.md: nearly no crease of designed models, but most creases of
+/// scans.
 TEST_P(SharedMesh, LosesTheNoiseAmongItsCreases) {
     const Row& row = GetParam();
     const fs::path path = meshes_folder() / row.file;

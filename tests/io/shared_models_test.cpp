@@ -1,4 +1,5 @@
-// The tables in shared/models/NOTES.md, counted by other software, against what is read here.
+// The tables in shared/models/NOTES.md, counted by other software, compared with the models read
+// here.
 
 #include <array>
 #include <cmath>
@@ -37,7 +38,7 @@ class SharedModels : public testing::Test {
                          << "names the folder that holds it";
     }
     static LoadedMesh load(const char* file) { return load_mesh_isolated(models_folder() / file); }
-    /// With chords off by no more than a thousandth of the diagonal.
+    /// The number of triangles whose chords are off by at most a thousandth of the diagonal.
     static double coarse_triangles(const char* file, double diagonal) {
         return static_cast<double>(
             load_mesh_isolated(models_folder() / file, {}, {.deflection = 0.001 * diagonal})
@@ -53,7 +54,7 @@ void expect_box(const Mesh& mesh, glm::dvec3 min, glm::dvec3 max, double error) 
     }
 }
 
-/// How often each kind of edge stands in the file, by KnownEdge::Kind.
+/// The number of edges of each kind in the file, by KnownEdge::Kind.
 using EdgeCounts = std::array<std::size_t, 4>;
 
 EdgeCounts placed_edges(const Mesh& mesh) {
@@ -99,7 +100,8 @@ TEST_F(SharedModels, MachineHall) {
         int instances = 0;
         for (const auto& [name, count] : occurrences(loaded)) instances += count;
         EXPECT_EQ(instances, 20);
-        // Its rings have twelve sides, bent by 29 to 31 degrees as far as each file rounds.
+        // The model's rings have twelve sides. By the file's rounding these bend by 29 to 31
+        // degrees.
         EXPECT_EQ(extract_lines(loaded.mesh).kind_counts[LA_KIND_CREASE], 3588U);
     }
 }
@@ -110,7 +112,7 @@ TEST_F(SharedModels, MilkTruck) {
         const LoadedMesh loaded = load(file);
         EXPECT_EQ(loaded.mesh.triangles.size(), 3624U);
         expect_box(loaded.mesh, {-2.4309, 0.0015, -1.3960}, {2.4380, 2.5844, 1.3960}, 2e-3);
-        // Its windows meet the body, also where each of them lies on a grid of its own.
+        // The windows meet the body, even where each has another grid.
         constexpr LineKindMask asked = mask_of(LineKind::material) | mask_of(LineKind::boundary);
         const auto kinds = extract_lines(loaded.mesh, {.lines = asked}).kind_counts;
         EXPECT_EQ(kinds[LA_KIND_MATERIAL], 120U);
@@ -154,7 +156,7 @@ TEST_F(SharedModels, CubeGears) {
 TEST_F(SharedModels, FlangeJointOfSurfaces) {
     const LoadedMesh loaded = load("flange_joint.iges");
     EXPECT_EQ(loaded.format, "IGES 5.3");
-    // As in the STEP file, though here no two faces share an edge.
+    // The same as in the STEP file, although here no two faces share an edge.
     EXPECT_EQ(placed_edges(loaded.mesh), (EdgeCounts{428, 8, 76, 0}));
     EXPECT_EQ(loaded.parts.size(), 36U);
     expect_box(loaded.mesh, {-60, -60, -46}, {60, 60, 76}, 0.2);

@@ -1,4 +1,4 @@
-// 3MF packages whose parts are known, and packages that are none.
+// 3MF packages with known parts, and wrong packages.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +41,7 @@ class ThreeMf : public testing::Test {
         return load(to_3mf(threemf_model(resources, items, attributes)));
     }
 
-    /// What it is refused for, without the file's name; empty if it is read.
+    /// The reason why a package is refused, without the file's name; empty if it is read.
     std::string cause(std::string_view package) const {
         try {
             const LoadedMesh loaded = load(package);
@@ -87,7 +87,7 @@ TEST_F(ThreeMf, UnitsAreThoseOfTheSpecification) {
     const auto unit = [&](const std::string& attributes) {
         return load_model(cube_object(1, "a"), one_item, attributes).unit;
     };
-    EXPECT_EQ(unit(""), 1); // as the specification says
+    EXPECT_EQ(unit(""), 1); // the unit of the specification
     EXPECT_EQ(unit(R"(unit="micron")"), 0.001);
     EXPECT_EQ(unit(R"(unit="centimeter")"), 10);
     EXPECT_EQ(unit(R"(unit="foot")"), 304.8);
@@ -117,8 +117,8 @@ TEST_F(ThreeMf, ComponentsAreATreeOfPlacedParts) {
     EXPECT_EQ(loaded.parts[2].shape, loaded.parts[6].shape);
     EXPECT_EQ(loaded.mesh.groups[0].object, "object 3/pair/bolt");
     EXPECT_EQ(loaded.mesh.triangles.size(), 48U);
-    EXPECT_NEAR(volume(loaded.mesh), 4, 1e-3); // none inside out
-    // The matrix turns x into y and y into -x: rows, as the specification writes them.
+    EXPECT_NEAR(volume(loaded.mesh), 4, 1e-3); // no cube is inside out
+    // The matrix turns x into y and y into -x. It is written in rows, as in the specification.
     EXPECT_EQ(bounds_of(loaded.mesh).min, (glm::vec3{-1, 0, 5}));
     EXPECT_EQ(bounds_of(loaded.mesh).max, (glm::vec3{4, 14, 6}));
 }
@@ -193,12 +193,12 @@ TEST_F(ThreeMf, WhatIsNotSupportedIsRefusedByName) {
               "it requires the 3MF extension urn:somebody, which is not supported");
     EXPECT_EQ(cause_of_model(cube_object(1, "a"), one_item, R"(requiredextensions="zz")"),
               "it requires the extension \"zz\", which it does not declare");
-    // Whatever stands before the first tag.
+    // Other text comes before the first tag.
     std::string hidden =
         threemf_model(cube_object(1, "a"), one_item, R"(xmlns:x="urn:x" requiredextensions="x")");
     hidden.insert(hidden.find("<model"), "<!-- <model > --><?other <model ?>");
     EXPECT_EQ(cause(to_3mf(hidden)), "it requires the 3MF extension urn:x, which is not supported");
-    // Beams that are there although the file does not require that they are read.
+    // The file has beams but does not require that they are read.
     std::string beams = cube_object(1, "a");
     beams.insert(beams.find("</mesh>"), R"(<b:beamlattice radius="0.1" minlength="0.01"><b:beams>)"
                                         R"(<b:beam v1="0" v2="7"/></b:beams></b:beamlattice>)");
@@ -236,13 +236,13 @@ TEST_F(ThreeMf, BrokenPackagesAreRefusedInALine) {
     EXPECT_NE(cause(std::string(1000, '\0')), "");
     EXPECT_NE(cause("<?xml version=\"1.0\"?><model/>"), "");
     EXPECT_NE(cause(to_zip({})), "");
-    // A byte of the model is another: the sum is wrong.
+    // A byte of the model is changed, so that the checksum is wrong.
     std::string damaged = whole;
     damaged[damaged.find("<vertex x=\"1\"") + 11] = '7';
     EXPECT_NE(cause(damaged), "");
 
     std::vector<ZipPart> parts = package_parts();
-    EXPECT_NE(cause(to_zip(parts)), ""); // a relation to what is not there
+    EXPECT_NE(cause(to_zip(parts)), ""); // a relation to a missing part
     const ZipPart model{"3D/3dmodel.model", threemf_model(cube, one_item)};
     EXPECT_NE(cause(to_zip({parts[0], model})), ""); // no relation
     parts[1].bytes = parts[1].bytes.replace(parts[1].bytes.find("3dmanufacturing"), 3, "4d_");
@@ -295,7 +295,7 @@ TEST_F(ThreeMf, ComponentsThatHoldThemselvesOrThousandsAreRefused) {
     for (int level = 2; level <= 12; ++level) many += holding(level, level - 1, 10);
     EXPECT_EQ(cause_of_model(many, R"(<item objectid="7"/>)"),
               "with all its components it has more than 262144 parts");
-    // lib3mf itself visits all of them, as long as it may.
+    // lib3mf itself visits all of them until its time ends.
     limits_.time = std::chrono::seconds{2};
     EXPECT_EQ(cause_of_model(many, R"(<item objectid="12"/>)"),
               "reading it took more than 2 s; LoadOptions::read_seconds allows more");
@@ -315,7 +315,7 @@ TEST_F(ThreeMf, BombsAreRefusedInALine) {
     const std::string bomb = to_packed_zip(parts);
     ASSERT_LT(bomb.size(), 1U << 20U);
     EXPECT_TRUE(cause(bomb).starts_with("it would unpack to more than ")) << cause(bomb);
-    // It says that it is small.
+    // The part claims to be small.
     std::string liar = bomb;
     const auto four_bytes = [](std::size_t value) {
         std::string bytes;

@@ -25,8 +25,8 @@ Mesh box(glm::vec3 low, glm::vec3 high) {
     return test::moved(test::cube(), glm::scale(to_middle, 0.5F * (high - low)));
 }
 
-/// From far on the left to `right`, with more than the ball around it. No two have a corner in
-/// common.
+/// A block from far on the left to `right` that is larger than the ball on all other sides. No two
+/// blocks have a common corner.
 Mesh block(float right) {
     return box({-4 - right, -3 - right, -3}, {right, 3, 3 + right});
 }
@@ -50,7 +50,7 @@ struct Found {
     auto count() const { return std::ranges::count(buried, true); }
 };
 
-/// A ball of radius 1 that passes through what is added to it.
+/// A ball of radius 1. Tests add bodies through which it passes.
 Mesh ball() {
     return test::sphere(4);
 }
@@ -74,7 +74,7 @@ TEST(BuriedFaces, AreNoneOfWhatStandsInOneRoom) {
     Mesh mesh = ball();
     add(mesh, block(0.53F));
     EXPECT_EQ(Found{mesh}.count(), 0);
-    // A block in a house: the ball does not reach out of that.
+    // A block in a house. The ball does not reach out of the house.
     add(mesh, box({-5, -5, -5}, {5, 5, 5}));
     EXPECT_EQ(Found{mesh}.count(), 0);
 }

@@ -25,7 +25,7 @@ void add_panel(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
                           {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
 }
 
-/// The open mantle of a prism: its diagonal is 3 for a radius and a height of 1.
+/// The open mantle of a prism with a radius and a height of 1. Its diagonal is 3.
 Mesh mantle(int sides, float off) {
     test::Random random{91};
     Mesh mesh;
@@ -41,7 +41,7 @@ Mesh mantle(int sides, float off) {
     return mesh;
 }
 
-/// Two squares that meet at a right angle but for a gap.
+/// Two squares that would meet at a right angle without the gap.
 Mesh corner_of_squares(float gap, float size = 1) {
     Mesh mesh;
     add_panel(mesh, {0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0});
@@ -105,7 +105,7 @@ TEST(Cracks, AreAsWideAsTheFileIsPrecise) {
 }
 
 TEST(Cracks, OfManySheetsInOnePlaceAreClosedOnceEach) {
-    // Each sheet lies on each other one: pairs of them would be a hundred times as many.
+    // Each sheet lies on all others. The number of pairs would be a hundred times as large.
     test::Random random{97};
     constexpr std::size_t sheets = 400;
     const auto corner = [&](glm::vec3 at) { return at + random.point(1e-6F); };
@@ -121,12 +121,13 @@ TEST(Cracks, OfManySheetsInOnePlaceAreClosedOnceEach) {
 }
 
 TEST(Cracks, AreClosedAsIfAllPairsWereCompared) {
-    // Edges as wide apart as the widest crack: which of them are one depends on all between.
+    // Edges as far apart as the widest crack. Which of them are joined depends on all edges
+    // between.
     test::Random random{98};
     for (int round = 0; round < 20; ++round) {
         const float widest = 1e-5F * std::sqrt(3.0F);
         Mesh mesh;
-        mesh.positions = {{0, 0, 0}, {1, 1, 1}}; // the diagonal, whatever else there is
+        mesh.positions = {{0, 0, 0}, {1, 1, 1}}; // fixes the diagonal
         std::vector<std::array<glm::vec3, 2>> edges;
         for (std::uint32_t i = 0; i < 60; ++i) {
             const glm::vec3 p = glm::vec3{0.3F} + random.point(2 * widest);
@@ -165,7 +166,7 @@ TEST(Cracks, AreClosedAsIfAllPairsWereCompared) {
 }
 
 TEST(Cracks, TakeASliverBesideThemAlong) {
-    // A triangle whose short side bridges the gap has no place once it is closed.
+    // A triangle whose short side bridges the gap has no room when the gap is closed.
     Mesh mesh = corner_of_squares(1e-6F);
     mesh.triangles.emplace_back(0, 4, 7);
     WeldedMesh welded = weld(mesh);

@@ -35,7 +35,7 @@ Kinds kinds_of(const Mesh& mesh, const LineOptions& options = {}) {
     return kinds;
 }
 
-/// The same by position: vertices are numbered by their first use.
+/// The same by position, because vertices are numbered by their first use.
 std::map<std::array<float, 6>, std::optional<LineKind>> placed_kinds_of(const Mesh& mesh) {
     const WeldedMesh welded = weld(mesh);
     std::map<std::array<float, 6>, std::optional<LineKind>> placed;
@@ -56,7 +56,7 @@ LineOptions with_crease_angle(float angle) {
     return {.crease = angle};
 }
 
-/// Every edge against a map of all uses, built the slow way.
+/// Compares every edge with a map of all uses that is built in a slow way.
 void expect_every_edge_once(const Mesh& mesh) {
     const WeldedMesh welded = weld(mesh);
     std::map<VertexPair, std::vector<std::pair<std::uint32_t, bool>>> uses; // face, runs downwards
@@ -129,7 +129,7 @@ TEST(MeshEdges, AHalfTwistHasOneDisagreement) {
 TEST(Classify, ACubeHasTwelveCreases) {
     const Kinds kinds = kinds_of(test::cube());
     EXPECT_EQ(count(kinds, LineKind::crease), 12);
-    EXPECT_EQ(count(kinds, std::nullopt), 6); // the diagonals: flat, never a silhouette
+    EXPECT_EQ(count(kinds, std::nullopt), 6); // the diagonals are flat and never a silhouette
 }
 
 TEST(Classify, ACreaseIsBentByMoreThanTheThreshold) {
@@ -184,7 +184,7 @@ TEST(Classify, BordersBetweenGroupsAreMaterialLines) {
     EXPECT_EQ(count(kinds, LineKind::material), 1);
     EXPECT_EQ(count(kinds, LineKind::boundary), 6);
 
-    mesh = test::bent_pair(1.5F, false); // a crease, whatever is beside it
+    mesh = test::bent_pair(1.5F, false); // a crease with any faces beside it
     mesh.groups.resize(2);
     mesh.triangle_group = {0, 1};
     EXPECT_EQ((kinds_of(mesh)[{0, 1}]), LineKind::crease);
@@ -253,7 +253,7 @@ struct JunctionKinds {
         upper = between(1, 2);
     }
     bool any(LineKind kind) const { return whole == kind || lower == kind || upper == kind; }
-    /// All of the line from one end to the other is of this kind.
+    /// True if the whole line from one end to the other is of this kind.
     bool covered(LineKind kind) const { return whole == kind || (lower == kind && upper == kind); }
 };
 
@@ -281,8 +281,8 @@ TEST(Slivers, WindingsDoNotMatter) {
     }
 }
 
-/// Coordinates of files are rounded: the split vertex lies beside the edge by some units in the
-/// last place, more of them the farther the model is from the origin.
+/// Coordinates of files are rounded, so the split vertex lies beside the edge by some units in the
+/// last place. Far from the origin these are larger.
 TEST(Slivers, NeitherMakeNorHideACreaseWhereCoordinatesAreRounded) {
     test::Random random{17};
     for (const float reach : {0.0F, 1.0F, 10.0F, 100.0F}) {
@@ -301,8 +301,9 @@ TEST(Slivers, NeitherMakeNorHideACreaseWhereCoordinatesAreRounded) {
     }
 }
 
-/// Slivers on a line from vertex 0 to vertex 2 whose middle one has only slivers beside it. On one
-/// side the line is split at vertex 3, on the other at 1, 4 and 5; the sides are bent.
+/// Slivers on a line from vertex 0 to vertex 2. The middle one has only slivers beside it. On one
+/// side the line is split at vertex 3, on the other at 1, 4 and 5. The line is a crease between the
+/// sides.
 TEST(Slivers, ThatTouchSliversOnlyHideNoCrease) {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {0, 2, 0}, {0, 4, 0},  {0, 2.5F, 0},

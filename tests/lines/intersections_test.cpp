@@ -17,7 +17,7 @@
 namespace lineatlas {
 namespace {
 
-/// Both in one mesh, as parts.
+/// Both meshes as parts of one mesh.
 Mesh together(const Mesh& a, const Mesh& b) {
     Mesh mesh = a;
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -69,7 +69,8 @@ struct Crossings {
 };
 
 TEST(Intersections, OfTwoCubesAreAClosedLineWithCorners) {
-    // A corner of one in a corner of the other: six straight pieces around a cube of 1.
+    // A corner of one cube is in a corner of the other. The crossing is six straight pieces around
+    // a cube of 1.
     const Crossings found{together(test::cube(), moved_by(test::cube(), {1, 1, 1}))};
     EXPECT_NEAR(found.length, 6, 1e-5);
     std::map<std::uint32_t, int> ends;
@@ -91,7 +92,7 @@ TEST(Intersections, OfACylinderThroughAPlateAreTwoRings) {
 }
 
 TEST(Intersections, RunAlongEdgesThatLieInTheOtherFace) {
-    // A fold whose middle lies in a floor: neither of its halves passes through it alone.
+    // The middle of a fold lies in a floor, so neither half alone passes through the floor.
     Mesh floor;
     floor.positions = {{-3, 0, -3}, {3, 0, -3}, {3, 0, 3.5F}, {-3, 0, 3.5F}};
     floor.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -105,15 +106,15 @@ TEST(Intersections, RunAlongEdgesThatLieInTheOtherFace) {
     EXPECT_NEAR(Crossings{together(floor, fold(0, -1))}.length, 2, 1e-5);
     EXPECT_NEAR(Crossings{together(fold(0, -1), floor)}.length, 2, 1e-5);
     EXPECT_EQ(Crossings{together(floor, fold(0, 1))}.segments.size(), 0U) << "it stands on it";
-    // As far off as a file's precision lets it be.
+    // The fold is off by as much as the file's precision allows.
     Mesh rounded = together(floor, fold(0.0001F, -1));
     rounded.precision = 0.0001F;
     EXPECT_EQ(extract_lines(rounded, {}).kind_counts[LA_KIND_INTERSECTION], 2U);
 }
 
 TEST(Intersections, OfTwoSpheresAreACircle) {
-    // Of radius 1, with centres 1 apart: a circle of radius sqrt(3) / 2, a little smaller in
-    // facets.
+    // Spheres of radius 1 with centres 1 apart cross in a circle of radius sqrt(3) / 2. With facets
+    // it is slightly smaller.
     const Crossings found{
         together(test::sphere(5), moved_by(test::sphere(5), {1, 0.003F, 0.001F}))};
     EXPECT_EQ(found.paths.size(), 1U);
@@ -128,13 +129,13 @@ TEST(Intersections, AreNoneWherePartsOnlyTouch) {
           glm::vec3{3, 0, 0}, glm::vec3{1.999999F, 0.5F, 0}})
         EXPECT_EQ(Crossings{together(cube, moved_by(cube, by))}.segments.size(), 0U)
             << by.x << "," << by.y << "," << by.z;
-    // Of one size and place but turned over: faces in one plane.
+    // A cube of the same size and place, turned over, has faces in the same planes.
     Mesh inside = cube;
     for (glm::uvec3& t : inside.triangles) std::swap(t.y, t.z);
     EXPECT_EQ(Crossings{together(moved_by(cube, {}, {1, 1, 0.5F}), inside)}.segments.size(), 0U);
 }
 
-/// Two sheets cut each other at an angle; below two degrees they are one plane.
+/// Two sheets cross at an angle. Below two degrees they count as one plane.
 TEST(Intersections, AreNoneOfFacesInOnePlane) {
     const Mesh sheet = moved_by(test::open_strip(4), {-2, -0.5F, 0});
     for (const float degrees : {1.0F, 1.9F, 2.1F, 20.0F}) {
@@ -145,7 +146,7 @@ TEST(Intersections, AreNoneOfFacesInOnePlane) {
 }
 
 TEST(Intersections, OfRoundPartsThatFitAreNone) {
-    // A pin in a hole of the same radius whose facets don't match.
+    // A pin in a hole of the same radius. Their facets don't match.
     const Mesh pin = test::cylinder(48, false);
     Mesh hole = test::moved(pin, glm::rotate(glm::mat4{1}, 0.05F, glm::vec3{0, 1, 0}));
     for (glm::uvec3& t : hole.triangles) std::swap(t.y, t.z);
@@ -154,14 +155,14 @@ TEST(Intersections, OfRoundPartsThatFitAreNone) {
 }
 
 TEST(Intersections, AreNoneBesideLinesThatAreSeenThere) {
-    // A carpet: its upper edges are nearly where its sides go through the floor.
+    // A carpet. Its upper edges are near the places where its sides pass through the floor.
     const Mesh floor = moved_by(test::cube(), {0, -1, 0}, {10, 1, 10});
     for (const float height : {0.01F, 0.1F}) {
         const Mesh carpet = moved_by(test::cube(), {0, height - 0.2F, 0}, {3, 0.2F, 2});
         const Crossings found{together(floor, carpet)};
         EXPECT_NEAR(found.length, height < 0.02F ? 0 : 20, 1e-4) << height;
     }
-    // A wall whose foot is as near, but under the floor: that line is not seen.
+    // A wall whose foot is as near, but under the floor. The line of the foot is hidden.
     const Mesh wall = moved_by(test::cube(), {0, 0.99F, 0}, {3, 1, 2});
     EXPECT_NEAR(Crossings{together(floor, wall)}.length, 20, 1e-4);
 }
@@ -188,7 +189,7 @@ TEST(Intersections, AreWithinObjectsThatMove) {
     EXPECT_TRUE(Crossings(mesh, {.separate_objects = true}).segments.empty());
 }
 
-/// How many segments of intersections each object has; none may run between two.
+/// The number of segments of intersections of each object. No segment may belong to two objects.
 std::vector<int> of_objects(const Mesh& mesh) {
     const Crossings found{mesh, {.separate_objects = true}};
     const std::vector<LineObject>& objects = found.lines.objects;
@@ -238,8 +239,8 @@ TEST(Intersections, StayWhereAnotherObjectHasEdges) {
     EXPECT_EQ(counts[0], counts[1]);
 }
 
-/// Of parts in one place most of what they cut of each other lies deep in others: lines grow with
-/// the surface of all together, not with pairs.
+/// Most crossings of many parts in one place lie deep in other parts. So the number of lines grows
+/// with the surface of all parts together, not with the number of pairs.
 TEST(Intersections, DoNotGrowWithTheSquareOfParts) {
     test::Random random{99};
     Mesh mesh;
@@ -253,7 +254,7 @@ TEST(Intersections, DoNotGrowWithTheSquareOfParts) {
     EXPECT_LT(counts[1], 3 * counts[0]);
 }
 
-/// Vertices that were added stand behind those of their object, and say where they lie.
+/// Added vertices come after those of their object, and name their places.
 TEST(Intersections, AddVerticesToTheirObjects) {
     Mesh mesh = together(test::cube(), moved_by(test::cube(), {1, 1, 1}));
     const Mesh further = moved_by(mesh, {10, 0, 0});

@@ -1,4 +1,4 @@
-// Edges of which the file says what they are, in place of the angle at them.
+// Edges whose kinds come from the file, not from their angles.
 #include <array>
 #include <vector>
 
@@ -32,7 +32,7 @@ TEST(KnownEdges, SayWhatAnglesDoNot) {
     mesh.known_edges = {{0, 1, Kind::smooth}, {1, 2, Kind::free}};
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
     EXPECT_EQ(counts(mesh)[LA_KIND_SILHOUETTE], 1U);
-    EXPECT_EQ(counts(mesh)[LA_KIND_BOUNDARY], 1U); // the others are nothing that the file knows
+    EXPECT_EQ(counts(mesh)[LA_KIND_BOUNDARY], 1U); // the file does not know the others
     EXPECT_EQ(counts(mesh, {.smooth_edges = true})[LA_KIND_CREASE], 1U);
     mesh.known_edges[0].kind = Kind::seam;
     EXPECT_EQ(counts(mesh, {.smooth_edges = true})[LA_KIND_CREASE], 0U);
@@ -47,7 +47,7 @@ TEST(KnownEdges, SharpOnesAreCreasesHoweverFlat) {
     EXPECT_EQ(counts(mesh, {.lines = mask_of(LineKind::silhouette)})[LA_KIND_SILHOUETTE], 1U);
 }
 
-/// A square in the plane as a fan of four triangles, and a third corner of one lifted by 45
+/// A plane square as a fan of four triangles. The third corner of one triangle is lifted by 45
 /// degrees.
 Mesh fan(float height) {
     return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, height}},
@@ -69,7 +69,7 @@ TEST(KnownEdges, MarkedOnesAreCreasesAndLeaveOthersToAngles) {
     mesh.known_edges = {{2, 0, Kind::marked}};
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], bent + 1);
     EXPECT_EQ(counts(mesh, {.crease = 0.5F})[LA_KIND_CREASE], bent + 1);
-    mesh.known_edges.push_back({0, 1, Kind::seam}); // now the file speaks of all
+    mesh.known_edges.push_back({0, 1, Kind::seam}); // now the file names all edges
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
 }
 
@@ -97,12 +97,12 @@ TEST(KnownEdges, BetweenGroupsSmoothOnesAreMaterialLines) {
 
 TEST(KnownEdges, AreFoundBetweenWeldedPositions) {
     Mesh mesh = roof();
-    // The second triangle has corners of its own.
+    // The second triangle has separate corners.
     mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {1, 0, 0}});
     mesh.triangles[1] = {5, 4, 3};
     mesh.known_edges = {{4, 5, Kind::smooth}};
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 0U);
-    mesh.known_edges.push_back({0, 1, Kind::sharp}); // of two parts, one sharp
+    mesh.known_edges.push_back({0, 1, Kind::sharp}); // one of the edge's two parts is sharp
     EXPECT_EQ(counts(mesh)[LA_KIND_CREASE], 1U);
 }
 

@@ -1,4 +1,4 @@
-// Creases and boundaries against OpenMesh's halfedge mesh, where the mesh is one that it can hold.
+// Creases and boundaries compared with OpenMesh's halfedge mesh, for meshes that it can hold.
 
 #include <cmath>
 #include <optional>
@@ -9,7 +9,7 @@
 
 #include <glm/trigonometric.hpp>
 
-// OpenMesh's vectors are not initialised when a property is made; GCC warns where that is inlined.
+// OpenMesh makes properties of uninitialised vectors. GCC warns where that code is inlined.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -63,7 +63,7 @@ void expect_agreement(const Mesh& mesh, float crease_angle) {
             EXPECT_EQ(edge.face_b, LA_NO_FACE);
             continue;
         }
-        // p to q in the winding of face_a: face_a is the halfedge's own face, to its left.
+        // From p to q is the winding of face_a, so face_a is the halfedge's own face, to its left.
         EXPECT_EQ(oracle.face_handle(halfedge).idx(), static_cast<int>(edge.face_a));
         EXPECT_EQ(oracle.face_handle(oracle.opposite_halfedge_handle(halfedge)).idx(),
                   static_cast<int>(edge.face_b));
@@ -96,8 +96,8 @@ TEST(OpenMeshOracle, AgreesOnRandomManifolds) {
     }
 }
 
-/// Triangles left out at random leave holes. A halfedge mesh refuses some of those that touch the
-/// rest only at a vertex; they are left out too.
+/// Random triangles are left out and leave holes. A halfedge mesh refuses some triangles that touch
+/// the rest only at a vertex; these are left out, too.
 TEST(OpenMeshOracle, AgreesOnRandomManifoldsWithHoles) {
     test::Random random{62};
     for (int round = 0; round < 20; ++round) {

@@ -37,7 +37,7 @@ std::uint32_t count(const LineSet& lines, LineKind kind) {
     return lines.kind_counts[static_cast<std::size_t>(kind)];
 }
 
-/// What lines.hpp and segment_table.h promise of the vertices and triangles.
+/// Expects all that lines.hpp and segment_table.h promise about vertices and triangles.
 void expect_sound_vertices(const LineSet& lines) {
     std::set<std::array<float, 3>> positions;
     std::vector<bool> used(lines.vertices.size(), false);
@@ -60,7 +60,7 @@ void expect_sound_vertices(const LineSet& lines) {
     EXPECT_EQ(std::ranges::count(used, false), 0) << "vertices that nothing uses";
 }
 
-/// Of the segments of one path, which are neighbours in the table.
+/// Expects all that is promised about the segments of one path, which are neighbours in the table.
 void expect_sound_path(std::span<const Segment> path) {
     for (std::size_t i = 0; i < path.size(); ++i) {
         EXPECT_EQ(path[i].from_start, i);
@@ -107,7 +107,7 @@ void expect_sound(const LineSet& lines) {
             const std::set corners{t.x, t.y, t.z};
             const bool beside = corners.contains(s.p) && corners.contains(s.q);
             const bool is_cut = cut.contains(s.p) || cut.contains(s.q);
-            // A neighbour stands for a sliver.
+            // A neighbouring face may stand for a sliver.
             EXPECT_TRUE(beside || has_slivers || is_cut || kind_of(s) == LineKind::intersection)
                 << "not beside its face";
         }
@@ -177,7 +177,8 @@ TEST(ExtractLines, NothingIsKeptOfDroppedTriangles) {
     Mesh mesh = test::cube();
     mesh.positions.emplace_back(100, 0, 0);
     mesh.positions.emplace_back(-100, 0, 0);
-    mesh.triangles.emplace_back(8, 8, 9); // no area, no line: nothing to draw
+    // It has neither area nor length, so there is nothing to draw.
+    mesh.triangles.emplace_back(8, 8, 9);
     mesh.polylines = {{9}};
     expect_sound(extract_lines(mesh));
     EXPECT_EQ(extract_lines(mesh).bounds.max, glm::vec3(1, 1, 1));
@@ -215,8 +216,8 @@ TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
         const LineSet lines = extract_lines(mesh, {.lines = mask, .crease = 0.5F});
         expect_sound(lines);
         for (std::uint32_t kind = 0; kind < LA_KIND_COUNT; ++kind) {
-            // Of one part, which passes through no other and is too coarse for ridges; no file says
-            // more of it.
+            // The mesh is one part without intersections, too coarse for ridges, and without
+            // information from a file.
             constexpr LineKindMask others = LA_KINDS_WITHIN | mask_of(LineKind::tangent);
             const bool there = (mask & 1U << kind & ~others) != 0;
             EXPECT_EQ(lines.kind_counts[kind] > 0, there);
@@ -227,7 +228,7 @@ TEST(ExtractLines, KindsThatAreNotWantedAreNotThere) {
 TEST(ExtractLines, ACubesEdgesAreTwelvePaths) {
     const LineSet lines = extract_lines(test::cube());
     EXPECT_EQ(lines.segments.size(), 12U);
-    EXPECT_EQ(lines.path_count, 12U); // corners of 90 degrees: nothing goes on
+    EXPECT_EQ(lines.path_count, 12U); // no path goes on around corners of 90 degrees
 }
 
 TEST(ExtractLines, TheRimsOfACylinderAreLoops) {
@@ -247,7 +248,7 @@ TEST(ExtractLines, TheRimsOfACylinderAreLoops) {
     }
 }
 
-/// A prism turned somehow, its coordinates rounded to a grid.
+/// A turned prism with coordinates rounded to a grid.
 Mesh rounded_prism(int corners, int turn, float grid) {
     const glm::mat3 matrix{glm::rotate(glm::mat4{1}, 0.37F * static_cast<float>(turn),
                                        glm::normalize(glm::vec3{1, 2, 3}))};
@@ -260,8 +261,9 @@ Mesh rounded_prism(int corners, int turn, float grid) {
 }
 
 TEST(ExtractLines, EqualBendsAreAllCreasesOrNone) {
-    // The sides of a prism with twelve corners bend by 30 degrees, those of one with thirteen by
-    // 27.7, give or take what floats, or a grid that the file may tell or not, take away.
+    // The sides of a prism with twelve corners bend by 30 degrees, and those of one with thirteen
+    // by 27.7. Rounding to floats or to a grid changes the angles slightly. The file may name the
+    // grid or not.
     for (int turn = 0; turn < 20; ++turn) {
         for (const float grid : {0.0F, 0.004F}) {
             for (const float told : {0.0F, grid / 2, 10 * grid}) {
@@ -292,8 +294,8 @@ TEST(ExtractLines, PolylinesOnMeshEdgesStandOnceWithTheirFaces) {
     for (const glm::vec3& p : test::cube().positions) mesh.positions.push_back(p);
     const std::uint32_t far_away = first + 8;
     mesh.positions.emplace_back(5, 5, 5);
-    // Two creases, one of them twice and backwards; a diagonal, which is no line by itself; a free
-    // line.
+    // Two creases, of which one comes again backwards, a diagonal, which is no line by itself, and
+    // a free line.
     mesh.polylines = {{first, first + 1, first + 3, first + 1},
                       {first + 1, first},
                       {first, first + 3},
@@ -443,7 +445,7 @@ TEST(Silhouettes, OfASphereLieOnItsOutline) {
     }
 }
 
-/// A sliver has no facing of its own: between two front faces it must not draw a line.
+/// A sliver has no facing. Between two front faces it must not make a line.
 TEST(Silhouettes, AreNotMadeBySlivers) {
     const Mesh mesh = test::split_edge(glm::radians(-10.0F)); // bent away from the eye
     const LineSet lines = extract_lines(mesh);
@@ -477,7 +479,7 @@ TEST(Lines, OfAPartThatLooksInwardsAreThoseOfOneThatLooksOutwards) {
         EXPECT_TRUE((source.from == marked.y && source.to == marked.z) ||
                     (source.from == marked.z && source.to == marked.y));
     }
-    // What is open looks as it does, whatever that means.
+    // An open mesh is not turned.
     mesh.triangles.pop_back();
     const LineSet open = extract_lines(mesh);
     for (const glm::uvec3& t : open.triangles) EXPECT_FALSE(looks_outwards(open, t));

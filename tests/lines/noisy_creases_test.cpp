@@ -14,7 +14,7 @@
 namespace lineatlas {
 namespace {
 
-/// How many creases a mesh has at 28.8 degrees, and how many of them a draughtsman would draw.
+/// The number of creases of a mesh at 28.8 degrees, and the number of drawn ones.
 struct Creases {
     std::uint32_t all, drawn;
     std::size_t noisy;
@@ -34,8 +34,8 @@ struct Creases {
     }
 };
 
-/// A rough sheet of quads x quads squares along x and z, folded by `fold` radians about the line in
-/// its middle along z.
+/// A rough sheet of quads x quads squares along x and z, folded by `fold` radians about its middle
+/// line along z.
 Mesh folded_sheet(std::uint32_t quads, float roughness, float fold) {
     test::Random random{81};
     Mesh mesh;
@@ -69,7 +69,7 @@ TEST(NoisyCreases, AreNoneOfShapesWithFlatFaces) {
 }
 
 TEST(NoisyCreases, AreNoneOfShapesThatRepeatThemselves) {
-    // No two neighbouring faces of theirs are in one plane.
+    // In these meshes no two neighbouring faces are in one plane.
     for (const Mesh& mesh : {test::tetrahedron(), test::sphere(0), test::sphere(1)}) {
         const Creases creases{test::moved(mesh, test::Random{82}.placement(1))};
         EXPECT_GT(creases.all, 0U);
@@ -77,7 +77,7 @@ TEST(NoisyCreases, AreNoneOfShapesThatRepeatThemselves) {
     }
 }
 
-/// A box that somebody pulled at: none of its twelve triangles lies in the plane of another.
+/// A deformed box. None of its twelve triangles lies in the plane of another.
 TEST(NoisyCreases, AreNoneOfACoarsePart) {
     Mesh mesh = test::cube();
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -120,7 +120,7 @@ TEST(NoisyCreases, LeaveAFoldInARoughSheet) {
 }
 
 TEST(NoisyCreases, AreDroppedWhereTheyAreCrumbsOfTheModel) {
-    // A tent that rises out of the sheet and sinks into it: its ridge touches no other line.
+    // A tent that rises from the sheet and sinks back. Its ridge touches no other line.
     Mesh mesh = folded_sheet(40, 0.05F, 0);
     for (glm::vec3& p : mesh.positions) {
         const float rise = std::clamp((std::min(p.z, 40 - p.z) - 4) / 8, 0.0F, 1.0F);
@@ -137,8 +137,8 @@ TEST(NoisyCreases, AreDroppedWhereTheyAreCrumbsOfTheModel) {
     EXPECT_LE(far.drawn, 2U) << "what hangs on the border of the sheet";
 }
 
-/// A sheet of 10 x 10 squares that is curved everywhere and has a fold in its middle along z, bent
-/// by `bend` in the middle and `bend_at_border` where it ends.
+/// A sheet of 10 x 10 squares that is curved everywhere. It has a fold in its middle along z, bent
+/// by `bend` in the middle of the fold and by `bend_at_border` at its ends.
 Mesh curved_fold(float bend, float bend_at_border) {
     Mesh mesh = folded_sheet(10, 0, 0);
     for (glm::vec3& p : mesh.positions) {
@@ -164,7 +164,8 @@ TEST(NoisyCreases, OfCurvedPartsAreFoldsThatFadeAtAllTheirEnds) {
     EXPECT_EQ(whole.drawn, whole.all) << "it ends at borders";
 }
 
-/// A sheet of flat squares, folded along z by 20 degrees, but at `sharp` edges in the middle by 36.
+/// A sheet of flat squares, folded along z by 20 degrees, except at `sharp` edges in the middle,
+/// where it is folded by 36.
 Mesh fold_of_flat_squares(int sharp) {
     Mesh mesh = folded_sheet(12, 0, 0);
     for (glm::vec3& p : mesh.positions) {
@@ -185,8 +186,8 @@ TEST(NoisyCreases, OfFlatFacesAreOneOrTwoEdgesByThemselves) {
     EXPECT_EQ(line.drawn, 3U);
 }
 
-/// A rough sheet folded by `fold` radians, three in ten of whose triangles are cut into three in
-/// one plane: as many faces are flat as marching tetrahedra leave.
+/// A rough sheet folded by `fold` radians. Three in ten of its triangles are cut into three in one
+/// plane. So it has as many flat faces as meshes by marching tetrahedra.
 Mesh sheet_in_pieces(float fold) {
     Mesh mesh = folded_sheet(40, 0.2F, fold);
     std::vector<glm::uvec3> triangles;

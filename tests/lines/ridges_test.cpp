@@ -1,4 +1,4 @@
-// Ridges and valleys of surfaces whose crests and furrows are known.
+// Ridges and valleys of surfaces with known crests and furrows.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ constexpr LineKindMask ridges_and_valleys = mask_of(LineKind::ridge) | mask_of(L
 using test::wave;
 using test::Waves;
 
-/// What of the lines of waves runs where a crest or a furrow is.
+/// The parts of the lines of waves that run along a crest or a furrow, and other parts.
 struct Found {
     float right = 0, wrong = 0; ///< length
     float covered = 0;          ///< share of the crests and furrows between the outer two
@@ -65,7 +65,7 @@ TEST(Ridges, RunAlongCrestsAndFurrows) {
     const Found found = found_in(lines, waves, 0.5F * waves.edge);
     EXPECT_GT(found.covered, 0.95F);
     EXPECT_LT(found.wrong, 0.02F * found.right);
-    // A yardstick that lies beside the crests finds them wrong.
+    // Compared with places beside the crests the lines are wrong.
     const Found beside = found_in(lines, waves, 0.5F * waves.edge, waves.edge);
     EXPECT_GT(beside.wrong, 0.9F * (beside.wrong + beside.right));
 }
@@ -95,7 +95,7 @@ TEST(Ridges, TakeThePlaceOfCreases) {
         EXPECT_GT(found_in(lines, waves, waves.edge).covered, 0.9F) << noise;
         EXPECT_LT(lines.kind_counts[LA_KIND_CREASE], 30U) << noise;
     }
-    // A number from the user counts.
+    // An angle from the user counts.
     const LineSet lines = extract_lines(Waves{}.mesh(), {.crease = 0.5F});
     EXPECT_GT(lines.kind_counts[LA_KIND_CREASE], 200U);
 }
@@ -148,7 +148,7 @@ TEST(Ridges, AreNowhereOnRoundThings) {
 
 TEST(Ridges, AreNowhereOnWhatSomebodyDesigned) {
     EXPECT_TRUE(ridges_of(test::cylinder(600, true)).segments.empty());
-    // A corrugated sheet: its strips are flat along the crests.
+    // A corrugated sheet has strips that are flat along the crests.
     Waves waves;
     Mesh sheet = waves.mesh();
     const auto columns = static_cast<std::uint32_t>(waves.crests * wave / waves.edge);
@@ -171,7 +171,8 @@ TEST(Ridges, MoveWithTheirSurface) {
     const Mesh mesh = Waves{}.mesh();
     LineSet lines = ridges_of(mesh);
     std::vector<glm::vec3> lifted = mesh.positions;
-    for (glm::vec3& p : lifted) p.y += p.x; // shears the waves: their crests are elsewhere now
+    // Shears the waves, so that their crests are at other places.
+    for (glm::vec3& p : lifted) p.y += p.x;
     const LineSet before = lines;
     move_vertices(lines, lifted);
     ASSERT_FALSE(lines.segments.empty());

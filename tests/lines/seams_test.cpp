@@ -42,7 +42,7 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 size, const std::string& mater
     }
 }
 
-/// Length of the lines of a kind.
+/// The length of the lines of a kind.
 double length_of(const LineSet& lines, LineKind kind) {
     double length = 0;
     for (const Segment& s : lines.segments) {
@@ -109,7 +109,7 @@ TEST(Seams, AreNoneWhereTheSurfaceTurnsOrStops) {
     EXPECT_EQ(extract_lines(step).left_out.seams, 0U);
 }
 
-/// A square beside a larger one: of the larger one's edge only the middle half is a seam.
+/// A square beside a larger one. Only the middle half of the larger one's edge is a seam.
 TEST(Seams, AreThePartOfAnEdgeWhereASmallerFaceGoesOn) {
     Mesh mesh;
     add_rectangle(mesh, {0, 0, 0}, {2, 0, 0}, {0, 4, 0});
@@ -132,8 +132,8 @@ TEST(Seams, AreThePartOfAnEdgeWhereASmallerFaceGoesOn) {
     }
 }
 
-/// Two boxes of one material side by side: where they abut nothing is seen, of the four edges there
-/// the outer ones go on. Of different ones the border between them is seen.
+/// Two boxes side by side. With one material no line shows where they touch, and the outer edges
+/// continue. With different materials the border between them shows.
 TEST(Seams, OfBoxesSideBySideAreTheirEdgesThere) {
     Mesh mesh;
     add_box(mesh, {0, 0, 0}, {1, 1, 1});
@@ -183,7 +183,7 @@ TEST(Seams, AreWhereTheyAreInAnyPlaceAndSize) {
 }
 
 TEST(Seams, OfAnObjectAreWhateverStandsBesideIt) {
-    // The top of a box goes on; at its side stands a box that may move away.
+    // The top of a box goes on. The box beside it may move away.
     std::array<double, 2> lengths{};
     for (const bool stands_beside : {false, true}) {
         Mesh mesh;

@@ -20,8 +20,8 @@ void add_triangle(Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     mesh.triangles.emplace_back(first, first + 1, first + 2);
 }
 
-/// Panels on either side of a line from 0 to 4, bent there by an angle in degrees; each side has
-/// its panels end where its list says.
+/// Panels on either side of a line from 0 to 4, bent at the line by an angle in degrees. The lists
+/// tell where the panels of each side end.
 Mesh folded_sheet(double bend, const std::vector<float>& below, const std::vector<float>& above,
                   float off = 0) {
     Mesh mesh;
@@ -83,7 +83,8 @@ TEST(TJunctions, StandBesideTheLineByLittle) {
     }
 }
 
-/// Four small triangles around a large one, with two corners within each of its sides but one.
+/// Four small triangles around a large one. All but one of the large one's sides have two corners
+/// within.
 TEST(TJunctions, OfATriangleMayBeOnSeveralSides) {
     Mesh mesh;
     const std::array<glm::vec3, 3> corners{glm::vec3{0, 0, 0}, {6, 0, 0}, {0, 6, 0}};

@@ -177,7 +177,7 @@ TEST(Weld, TakesAnyFinitePosition) {
     EXPECT_EQ(welded.vertices.size(), 4U);
 }
 
-/// Positions on a coarse grid, so that many are equal, against sorted containers.
+/// Positions on a coarse grid, so that many are equal, compared with sorted containers.
 TEST(Weld, AgreesWithSortedContainersOnRandomSoups) {
     test::Random random{2};
     for (int round = 0; round < 40; ++round) {

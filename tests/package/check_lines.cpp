@@ -1,6 +1,6 @@
-// Whether a picture of 'clevis' has its lines where they belong, whoever drew it:
-// check_lines PICTURE.ppm T, with T where on its path the camera is. The lines are dark, the rest
-// is not.
+// Checks that a picture of 'clevis' has its lines at the right places: check_lines PICTURE.ppm T. T
+// is the camera's place on its path. Any program may have drawn the picture, with dark lines on a
+// bright ground.
 
 #include <cstdint>
 #include <cstdlib>
@@ -20,15 +20,15 @@
 namespace lineatlas {
 namespace {
 
-constexpr int dark = 100;       ///< every channel is below it
+constexpr int dark = 100;       ///< every channel of a dark pixel is lower
 constexpr int reach = 4;        ///< pixels from a visible line within which dark is fine
-constexpr float end_margin = 3; ///< pixels of a visible line that are not asked for at its ends
+constexpr float end_margin = 3; ///< pixels at either end of a visible line that need not be dark
 constexpr double least_drawn = 0.99;
 constexpr double most_stray = 0.0002;
 
 struct Picture {
     glm::ivec2 size{0, 0};
-    std::vector<std::uint8_t> rgb; ///< from the top
+    std::vector<std::uint8_t> rgb; ///< rows from the top
 
     bool contains(glm::ivec2 at) const {
         return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;

@@ -1,5 +1,5 @@
-// Prints a hash of what every step makes of the built-in scenes. Where compiler, standard library
-// or processor are others it has to print the same (./run libcxx).
+// Prints a hash of every step's result for the built-in scenes. With another compiler, standard
+// library or processor it must print the same (./run libcxx).
 #include <cstdint>
 #include <cstdio>
 #include <span>
@@ -16,14 +16,14 @@ namespace {
 
 using namespace lineatlas;
 
-/// FNV-1a, of 64 bits.
+/// FNV-1a with 64 bits.
 std::uint64_t hash_of(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
     return hash;
 }
 
-/// Of tables without padding.
+/// The hash of a table without padding.
 template <class T>
 std::uint64_t hash_of(std::span<const T> table) {
     return hash_of({reinterpret_cast<const char*>(table.data()), table.size_bytes()});

@@ -1,4 +1,4 @@
-// Why kernels take their time: from profiles and counts made here to rows, and the four outputs.
+// The reasons for the times of kernels: made up profiles and counts become rows and four outputs.
 
 #include <algorithm>
 
@@ -16,7 +16,8 @@ ProfileEvent launch(const char* stage, const char* name, std::int64_t start,
     return {ProfileTrack::compute, stage, name, start, start + nanoseconds, 100, 64, 1};
 }
 
-/// Eleven frames: `scan` is launched twice in each, in two stages; `tiny` as briefly as can be.
+/// Eleven frames. Each launches `scan` twice, in two stages, and `tiny` for the shortest possible
+/// time.
 std::vector<FrameProfile> frames() {
     std::vector<FrameProfile> all;
     for (std::int64_t i = 0; i < 11; ++i) {
@@ -35,7 +36,7 @@ std::vector<FrameProfile> frames() {
     return all;
 }
 
-// A copy moves 10 bytes a nanosecond; 100 operations are done in one.
+// A copy moves 10 bytes a nanosecond; the device does 100 operations a nanosecond.
 constexpr Roofs roofs{10, 100};
 
 std::vector<LaunchCounts> counts() {
@@ -54,7 +55,7 @@ const KernelTime& kernel(const std::vector<KernelTime>& all, const std::string& 
 
 TEST(KernelProfile, TellsWhatALaunchTakes) {
     const std::vector<KernelTime> all = kernel_times(frames(), counts(), roofs);
-    EXPECT_EQ(all.size(), 7U); // neither the transfer nor the host
+    EXPECT_EQ(all.size(), 7U); // rows exist neither for the transfer nor for the host
     const KernelTime& atlas = kernel(all, "atlas", "atlas");
     EXPECT_EQ(&atlas, &all.front());
     EXPECT_EQ(atlas.launches, 11U);
@@ -87,7 +88,7 @@ TEST(KernelProfile, RatesAreOfEachLaunch) {
     EXPECT_DOUBLE_EQ(all[0].gigabytes_per_second, 1);
 }
 
-/// A device that counts may divide a kernel's work into other launches.
+/// A device that counts may divide a kernel's work into launches in another way.
 TEST(KernelProfile, OtherwiseEachHasAnEqualPart) {
     std::vector<LaunchCounts> three = counts();
     three.push_back({"scan", 100'000, 1000});
@@ -102,10 +103,10 @@ TEST(KernelProfile, SaysWhy) {
     EXPECT_EQ(kernel(all, "chain", "scan").bound, Bound::memory);      // 8 of 10
     EXPECT_EQ(kernel(all, "scan", "scan").bound, Bound::memory);       // 7.5 of 10
     EXPECT_EQ(kernel(all, "cull", "tiny").bound, Bound::launch);
-    EXPECT_EQ(kernel(all, "cull", "small").bound, Bound::launch); // 8 of 10, but as short
+    EXPECT_EQ(kernel(all, "cull", "small").bound, Bound::launch); // 8 of 10, but too short
     EXPECT_EQ(kernel(all, "halo", "idle").bound, Bound::latency);
     EXPECT_EQ(kernel(all, "pens", "unknown").bound, Bound::unknown);
-    // Without a roof nothing is near it.
+    // No kernel is near a roof that is unknown.
     EXPECT_EQ(kernel(kernel_times(frames(), counts(), {10, 0}), "atlas", "atlas").bound,
               Bound::latency);
     EXPECT_TRUE(kernel_times({}, counts(), roofs).empty());
@@ -146,7 +147,7 @@ TEST(KernelProfile, RooflineHasADotForEachKernelThatComputes) {
     std::size_t dots = 0;
     for (std::size_t at = svg.find("<circle"); at != svg.npos; at = svg.find("<circle", at + 1))
         ++dots;
-    EXPECT_EQ(dots, 6U); // of pens nothing is known
+    EXPECT_EQ(dots, 6U); // the figures of pens are unknown
     EXPECT_NE(svg.find("<title>chain scan: memory</title>"), std::string::npos);
     EXPECT_NE(svg.find("100 Gop/s; a copy: 10.0 GB/s"), std::string::npos);
     EXPECT_TRUE(svg.ends_with("</svg>\n"));

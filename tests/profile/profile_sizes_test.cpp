@@ -1,5 +1,5 @@
-// The sizes of launches and their bytes a second: as devices log them, and as the three outputs of
-// a profile show them.
+// The sizes of launches and their bytes a second, in the logs of devices and in the three outputs
+// of a profile.
 
 #include <algorithm>
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A kernel of 0.5 ms, whose bytes make 4 GB/s where a copy makes 16, and a transfer.
+/// A kernel of 0.5 ms that moves 4 GB/s, and a transfer; a copy moves 16 GB/s.
 std::vector<FrameProfile> two_commands() {
     using enum ProfileTrack;
     FrameProfile frame;
@@ -96,7 +96,7 @@ TEST(ProfileSizes, OfTheTrace) {
     EXPECT_EQ(host, (Json{{"frame", 7}, {"stage", "atlas"}}));
 }
 
-/// What a device logs of a kernel.
+/// The log entry of a device for a kernel.
 compute::CommandTime logged(compute::Device& device, const std::function<void()>& run,
                             std::string_view name) {
     const auto log = device.begin_log();
@@ -115,7 +115,8 @@ TEST(ProfileSizes, AsDevicesLogThem) {
         const glm::ivec2 size{10 * LA_TILE, 4 * LA_TILE};
         const auto depth = device->allocate(std::size_t{40} * LA_TILE * LA_TILE * sizeof(float));
         const auto tiles = device->allocate(40 * sizeof(float));
-        const auto run = [&] { // a log of one command says too little of a device's clock
+        // A log with a single command tells too little about a device's clock.
+        const auto run = [&] {
             device->clear(*depth, depth->size());
             stages.pyramid({.depth = *depth, .depth_size = size, .tiles = *tiles});
             device->finish();

@@ -1,5 +1,5 @@
-// Profiles: the trace as a viewer reads it, the order of GL and kernels on its one clock, and what
-// stages take of a frame.
+// Profiles: the trace as a viewer reads it, the order of GL and kernels on the trace's common
+// clock, and the shares of stages in a frame.
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 
 const std::set<std::string> transfers{"map", "unmap", "read", "write", "copy", "fill"};
 
-/// What a viewer or a reader would stumble over in a trace; empty if nothing.
+/// Finds errors of a trace that would confuse a viewer or a reader; empty if there are none.
 class TraceCheck {
   public:
     explicit TraceCheck(const std::string& text) {
@@ -42,8 +42,8 @@ class TraceCheck {
         for (const auto& [number, frame] : frames_) check_frame(number, frame);
     }
 
-    /// `second` on its queue begins after `first` has ended on its own, in every frame.
-    /// `once`: after its first piece of work; what comes later is for others.
+    /// Expects in every frame that `second` begins after `first` has ended, each on its own queue.
+    /// once: after the first piece of work of `first`; later pieces are for other stages.
     void expect_order(const std::string& first, const std::string& second, bool once = false) {
         for (auto& [number, frame] : frames_) {
             double end = -1, start = -1;
@@ -78,7 +78,7 @@ class TraceCheck {
         double start, end; ///< nanoseconds
     };
     struct Frame {
-        std::vector<Event> host, work; ///< of this thread, and of the two queues
+        std::vector<Event> host, work; ///< events of this thread, and of the two queues
         std::set<std::string> stages;
         std::optional<Event> whole;
     };
@@ -152,7 +152,7 @@ class TraceCheck {
         }
     }
 
-    double tolerance_ = 1; ///< nanoseconds: how far the clocks are told to be off
+    double tolerance_ = 1; ///< nanoseconds: the stated error between the clocks
     std::map<int, std::string> names_;
     std::map<int, std::vector<Event>> threads_;
     std::map<int, Frame> frames_;
@@ -166,7 +166,8 @@ std::string joined(const std::vector<std::string>& problems) {
 
 class Profiles : public testing::Test {
   protected:
-    /// A renderer that has drawn `scene` once: kernels are built, tables are large enough.
+    /// A renderer that has drawn `scene` once, so that kernels are built and tables are large
+    /// enough.
     Renderer warm(const std::string& scene, const DeviceOptions& device = {}) {
         Renderer renderer{device};
         renderer.set_lines(scene_lines(scene));
@@ -296,7 +297,8 @@ TEST_F(Profiles, TimesLieWithinThoseOfTheHost) {
 TEST_F(Profiles, StagesAddUpToTheFrame) {
     for (const char* compute : {"opencl", "cpp"}) {
         Renderer renderer = warm("house", {.compute = compute});
-        // What has no stage is missing in every frame; other programs take their time from some.
+        // Work without a stage is missing in every frame. Other programs take time from some frames
+        // only.
         double largest = 0;
         for (const FrameProfile& frame : profile(renderer, 5)) {
             double sum = 0;
@@ -315,7 +317,7 @@ TEST_F(Profiles, PassesOnOneFramebufferAreToldApart) {
     options_.style.paper.grain = 0.3F;
     FrameOptions waiting = options_;
     waiting.measure_stages = true;
-    double least = 1e9; // what waiting after the stage measures, milliseconds
+    double least = 1e9; // the time that waiting after the stage measures, milliseconds
     for (int i = 0; i < 5; ++i) {
         canvas_.clear(glm::vec4{1});
         const FrameStats stats = renderer.draw(camera_, waiting, canvas_.framebuffer());

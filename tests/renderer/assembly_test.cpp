@@ -1,4 +1,4 @@
-// Parts that come and go: what is drawn is what a scene built anew of the same parts draws.
+// Parts that come and go. The picture is that of a new scene of the same parts.
 
 #include <algorithm>
 #include <array>
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> some_objects() {
     return numbers;
 }
 
-/// The house without some_objects(), and a block in it, as one mesh.
+/// The house without some_objects() and with `added` in it, as one mesh.
 Mesh changed_house(const Mesh& added) {
     Mesh mesh = house_mesh();
     const std::vector<std::uint32_t> gone = some_objects();
@@ -96,7 +96,7 @@ FrameOptions options_of(Method method) {
 
 std::size_t differing_pixels(const std::vector<std::uint8_t>& a,
                              const std::vector<std::uint8_t>& b) {
-    // Lines in another order lie over each other in another order.
+    // Where lines cross, their order decides which one is on top.
     constexpr int most = 8;
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -123,7 +123,7 @@ class Parts : public testing::TestWithParam<Form> {
         stats_ = renderer.draw(camera(which), options, canvas_.framebuffer());
         return canvas_.read();
     }
-    /// Of a renderer that knows nothing of before.
+    /// The picture of a new renderer.
     std::vector<std::uint8_t> picture_of(const LineSet& lines, int which = 0) {
         Renderer renderer{device()};
         renderer.set_lines(lines);
@@ -295,7 +295,7 @@ TEST_F(Assemblies, WhatWasMovedOrHiddenStaysSo) {
     EXPECT_TRUE(equal(drawn, picture(other)));
     EXPECT_THROW(renderer_.set_transforms(std::span{transforms}.first(2)), UsageError);
 
-    // What stands in their place is new.
+    // The parts in their places are new.
     scene.remove(0);
     scene.remove(1);
     EXPECT_EQ(scene.add(block({-2, 1, 0}, 1)), std::vector<std::uint32_t>{0});

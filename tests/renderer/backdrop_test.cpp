@@ -1,4 +1,4 @@
-// What stands under the lines and over them: fills and the paper's grain.
+// Fills below the lines, and the paper's grain above them.
 
 #include "renderer/backdrop.hpp"
 
@@ -38,7 +38,7 @@ Mesh colored_cube(const std::array<std::optional<glm::vec3>, 6>& colors) {
     for (std::uint32_t face = 0; face < 6; ++face) {
         const glm::uvec4 q = quads[face];
         mesh.triangles.emplace_back(q.x, q.y, q.z);
-        mesh.triangles.emplace_back(q.x, q.w, q.z); // the other winding: must not matter
+        mesh.triangles.emplace_back(q.x, q.w, q.z); // the other winding, which must not matter
         mesh.triangle_group.insert(mesh.triangle_group.end(), 2, face);
         mesh.groups.push_back({.object = "cube", .material = "m", .color = colors[face]});
     }
@@ -130,7 +130,7 @@ TEST_F(BackdropTest, AModelWithoutColorsHasTheFills) {
 
 TEST_F(BackdropTest, MoreColorsThanAByteCounts) {
     Mesh mesh = colored_cube({left, right, top, top, left, facing});
-    for (int i = 0; i < 300; ++i) { // hidden inside
+    for (int i = 0; i < 300; ++i) { // hidden within the cube
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         const float x = static_cast<float>(i) * 1e-3F;
         mesh.positions.insert(mesh.positions.end(), {{x, 0, 0}, {x, 0.1F, 0}, {x, 0, 0.1F}});
@@ -178,7 +178,7 @@ TEST_F(BackdropTest, ToonHasNoMoreShadesThanSteps) {
     }
 }
 
-/// Every triangle by itself in the order of the line set, as the clusters must not show.
+/// The picture of the single triangles in the order of the line set. Clusters must not change it.
 std::vector<std::uint8_t> expected_fill(const LineSet& lines, const Camera& camera,
                                         const gl::Canvas& canvas, const Fill& fill) {
     gl::Buffer vertices = gl::Buffer::create();
@@ -220,7 +220,7 @@ TEST_F(BackdropTest, ClustersDoNotShow) {
         canvas_.clear(glm::vec4{1});
         const std::vector<std::uint8_t> expected = expected_fill(lines, view.camera, canvas_, flat);
         EXPECT_GT(colors_in(expected).size(), 4U);
-        // Where two faces have the same depth, the order of drawing decides.
+        // The order of drawing decides between two faces of the same depth.
         const auto expect_same = [&](const std::vector<std::uint8_t>& shown) {
             EXPECT_LE(compare_bytes(shown, expected, 0).share(), 2e-4);
         };
@@ -307,7 +307,7 @@ TEST(MakePaper, HasNoSeam) {
         return sum / size;
     };
     for (const bool turned : {false, true}) {
-        // The borders of the cells of noise are steeper than what lies between them.
+        // Noise is steeper at the borders of its cells than between them.
         const double inside = step(size / 2 - 1, size / 2, turned);
         EXPECT_LT(step(size - 1, 0, turned), 1.3 * inside);
     }

@@ -1,5 +1,5 @@
-// Kinds of device by name, one from outside the library, the comparison of two, and a change of the
-// device between frames.
+// Kinds of device by name, a device from outside the library, the comparison of two devices, and a
+// change of the device between frames.
 
 #include "compare.hpp"
 #include "compute/opencl/devices.hpp"
@@ -16,7 +16,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// Once per process.
+/// Registers the device of threads, once per process.
 void know_threads() {
     static const bool done = (register_threads_device(), true);
     EXPECT_TRUE(done);
@@ -125,7 +125,7 @@ TEST_F(OnScenes, TheFirstStageThatDiffersIsReported) {
     const PlantedError error{"run.h", "xy(c) / c.w + 1.0f", "xy(c) / c.w + 1.01f"};
     const std::string message = message_of([&] { draw_with({.compare_with = "cpp"}, "clevis"); });
     expect_words(message, {"stage compact differs", "runs, element 0", "Run::start[0]", "(cpp"});
-    // Up to the stage before it all is well.
+    // No stage before this one differs.
     EXPECT_NO_THROW(draw_with({.compare_with = "cpp", .compare_until = "atlas"}, "clevis"));
 }
 
@@ -159,7 +159,8 @@ TEST_F(OnScenes, TheDeviceMayChangeBetweenFrames) {
                                         {.compute = "cpp", .interop = "host-pointer"},
                                         {.interop = "copy"}}) {
         renderer.set_device(device);
-        EXPECT_THROW(renderer.read_samples(), UsageError); // of a frame on the old device
+        // The samples are of a frame on the old device.
+        EXPECT_THROW(renderer.read_samples(), UsageError);
         expect_same(first, draw(renderer, "ship", options));
     }
     renderer.set_device({});
@@ -188,7 +189,7 @@ TEST_F(OnScenes, AChangeThatFailsChangesNothing) {
     }
 }
 
-/// Pictures of an OpenCL device beside those of cpp.
+/// Pictures of an OpenCL device compared with those of cpp.
 class DevicePictures : public OnScenes, public testing::WithParamInterface<TestDevice> {};
 
 TEST_P(DevicePictures, EqualThoseOfCpp) {

@@ -1,4 +1,4 @@
-// Kernels and shaders that do not build: what is said, and that a new renderer works afterwards.
+// Kernels and shaders that do not build: their messages, and that a new renderer works afterwards.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -26,7 +26,7 @@ struct BrokenSource {
     const char *name, *file, *from;
 };
 
-/// Errors of several lines, so that a log that is cut off is noticed.
+/// Errors in several lines, so that the test notices a log that is cut off.
 constexpr const char* two_errors =
     "float broken() { float x = first_unknown_name; return x + second_unknown_name; }\n";
 
@@ -40,13 +40,13 @@ class BrokenSources : public testing::TestWithParam<BrokenSource> {
         const std::string from = GetParam().from;
         return PlantedError{GetParam().file, from, two_errors + from};
     }
-    /// A device that is named is not left for another.
+    /// The renderer does not replace a named device by another one.
     static constexpr const char* device = "opencl:portable";
 
     BrokenSources() { ::setenv("LINEATLAS_BUILD_LOG", log_.c_str(), 1); }
     ~BrokenSources() override { ::unsetenv("LINEATLAS_BUILD_LOG"); }
 
-    /// Of a kernel one line is said, and its log is kept.
+    /// Expects a message of one line about a kernel, and the whole log in a file.
     void expect_whole_log(std::string said) const {
         std::ostringstream log;
         log << std::ifstream{log_}.rdbuf();
@@ -64,7 +64,7 @@ class BrokenSources : public testing::TestWithParam<BrokenSource> {
     std::vector<std::uint8_t> draw_with(Renderer& renderer) {
         canvas_.clear(glm::vec4{1});
         const Camera camera = scene_cameras("clevis", canvas_.size())[0].camera;
-        // By GL, some of whose shaders are broken here.
+        // Draws strokes by GL, because some tests break its shaders.
         renderer.draw(camera, {.forms = {.strokes = StageForm::raster}}, canvas_.framebuffer());
         return canvas_.read();
     }

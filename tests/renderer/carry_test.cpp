@@ -1,4 +1,4 @@
-// Textures of silhouettes that stay where they are on the surface while the picture moves.
+// Textures of silhouettes keep their places on the surface while the picture moves.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,8 @@
 namespace lineatlas::test {
 namespace {
 
-/// A silhouette that is seen from end to end: its coordinates there, and how long it is.
+/// A silhouette that is visible from end to end: its texture coordinates at the ends, and its
+/// length.
 struct Drawn {
     float start, end, length;
 };
@@ -33,8 +34,8 @@ DrawnLines silhouettes_of(const LineSet& lines, const Renderer::Samples& samples
     return result;
 }
 
-/// Share of the length of all silhouettes in both frames whose middle has another coordinate by
-/// half a pixel.
+/// The share of silhouettes whose texture coordinate at the middle differs between the frames by
+/// more than half a pixel. It is a share of the length of all silhouettes in both frames.
 double crawling(const DrawnLines& before, const DrawnLines& now) {
     double crawls = 0, all = 0;
     for (const auto& [segment, drawn] : now) {
@@ -59,7 +60,7 @@ double stretch(const DrawnLines& silhouettes) {
     return texture / length;
 }
 
-/// A ball that is a little rough, whose silhouettes along edges are zigzags.
+/// A slightly rough ball. Its silhouettes along edges zigzag.
 class Carry : public testing::Test {
   protected:
     DrawnLines draw(Renderer& renderer, float pixels, const FrameOptions& options) {
@@ -71,7 +72,7 @@ class Carry : public testing::Test {
         renderer.draw(camera, options, canvas_.framebuffer());
         return silhouettes_of(lines_, renderer.read_samples());
     }
-    /// Mean share that crawls while the picture moves by so many pixels a frame.
+    /// The mean share that crawls while the picture moves.
     double mean_crawling(const FrameOptions& options, int frames) {
         Renderer renderer;
         renderer.set_lines(lines_);
@@ -129,7 +130,7 @@ TEST_F(Carry, AStillPictureStaysTheSame) {
     const DrawnLines now = draw(renderer, 6, pencil(true));
     std::size_t compared = 0;
     for (const auto& [segment, drawn] : now) {
-        if (!before.contains(segment)) continue; // visibility still settles
+        if (!before.contains(segment)) continue; // visibility is not steady yet
         ++compared;
         EXPECT_EQ(drawn.start, before.at(segment).start);
         EXPECT_EQ(drawn.end, before.at(segment).end);
@@ -150,7 +151,7 @@ TEST_F(Carry, PlainPensPayNothing) {
 }
 
 TEST_F(Carry, EdgesThatAreNoSilhouettesTakeNoRoomAmongClippedLines) {
-    // Nearly all are candidates, of which a frame finds a few.
+    // Nearly all segments are candidates, and a frame finds few silhouettes among them.
     ASSERT_GT(lines_.kind_counts[LA_KIND_SILHOUETTE], 0.9 * lines_.segments.size());
     Renderer renderer;
     renderer.set_lines(lines_);

@@ -1,4 +1,4 @@
-// Whole frames by kernels that count: the same picture as by every other device.
+// Whole frames by counting kernels have the same picture as on every other device.
 
 #include <set>
 
@@ -54,7 +54,7 @@ TEST(CountingFrames, AreThoseOfCppAndCountEveryKernel) {
         for (const std::string& kernel : launched) EXPECT_TRUE(counted.contains(kernel)) << kernel;
         for (const char* kernel : {"project_clip", "halo_cut", "strokes_tiles"})
             EXPECT_TRUE(computing.contains(kernel)) << kernel;
-        EXPECT_FALSE(computing.contains("scan_chunks_reduce")); // of integers
+        EXPECT_FALSE(computing.contains("scan_chunks_reduce")); // it computes with integers alone
     }
 }
 

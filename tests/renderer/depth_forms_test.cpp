@@ -1,5 +1,5 @@
-// The two forms of `depth` against each other: of four scenes, at three cameras each, one of them
-// inside the model, kernels leave the depth that GL does, but for rounding at the edges of faces.
+// The two forms of `depth` compared in four scenes, at three cameras each, one of them inside the
+// model. Kernels and GL draw the same depth, except for rounding at the edges of faces.
 
 #include <cmath>
 #include <iostream>
@@ -20,8 +20,8 @@ constexpr int scale = 2;
 
 /// Shares of the texels.
 struct Difference {
-    double coverage = 0; ///< that only one form covers
-    double depth = 0;    ///< that both cover, at depths more than 1e-5 apart
+    double coverage = 0; ///< texels that only one form covers
+    double depth = 0;    ///< texels that both forms cover, at depths more than 1e-5 apart
 };
 
 Difference difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -58,7 +58,7 @@ class DepthForms : public testing::TestWithParam<TestDevice> {
     gl::HeadlessContext context_;
 };
 
-// A texel is a larger share of a small picture, so it is that of the program.
+// The size of the program's pictures, because a texel is a larger share of a small picture.
 constexpr glm::ivec2 usual{1024, 768};
 
 TEST_P(DepthForms, AgreeOnClevis) {

@@ -1,5 +1,5 @@
-// What `depth` leaves alone because it was blank in the frame before: whatever that frame was, a
-// picture is the one that a renderer draws that has drawn no other.
+// `depth` does not clear parts that were blank in the frame before. After any frame the picture is
+// that of a new renderer.
 
 #include <functional>
 #include <tuple>
@@ -16,7 +16,7 @@ namespace {
 
 using Picture = std::vector<std::uint8_t>;
 
-/// A frame, and what is done to the renderer before.
+/// A frame, and changes of the renderer before it.
 struct Step {
     const char* name;
     std::string scene;

@@ -1,4 +1,4 @@
-// What a frame costs on a card with memory of its own: launches, what crosses the bus, waits.
+// The costs of a frame on a card with its own memory: launches, bytes over the bus and waits.
 
 #include <cstdlib>
 #include <iostream>
@@ -37,7 +37,7 @@ class Discrete : public testing::Test {
         FrameStats stats;
         BusCounts counts;
     };
-    /// One like those before it.
+    /// Draws a frame like those before it.
     Frame draw(const FrameOptions& options) {
         Renderer renderer{{.compute = "opencl"}};
         renderer.set_lines(scene_lines("ship"));
@@ -79,7 +79,7 @@ TEST_F(Discrete, TheExactMethodHandsOverItsRunsAlone) {
     FrameOptions options;
     options.method = Method::exact;
     const auto [stats, counts] = draw(options);
-    constexpr std::uint64_t beside = 4096; // numbers that the host looks at
+    constexpr std::uint64_t beside = 4096; // numbers that the host reads
     EXPECT_GT(counts.launches, 10U);
     EXPECT_GE(counts.bytes, stats.runs * sizeof(lineatlas::Run));
     EXPECT_LE(counts.bytes, stats.runs * sizeof(lineatlas::Run) + beside);

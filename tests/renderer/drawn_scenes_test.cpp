@@ -1,5 +1,5 @@
-// Drawings as paths of the built-in scenes, from the model to the paths: no line twice, and every
-// tag leads back to an edge of the mesh, or to the triangles that pass through each other there.
+// Drawings of the built-in scenes as paths. No line is drawn twice. Every tag leads back to an edge
+// of the mesh, or to the two triangles that intersect there.
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ class DrawnScene : public testing::TestWithParam<const char*> {
         return make_vector_drawing(lines_, camera_, intervals_, style, {.mesh = &scene_.mesh});
     }
 
-    /// Pixels that a piece's part of its path is away from the edge of the mesh that it says it
-    /// shows; nothing for an edge that is partly behind the eye.
+    /// The distance in pixels between a piece's part of its path and the edge of the mesh that it
+    /// names; 0 for an edge that is partly behind the eye.
     double distance_to_edge(const VectorPath& path, const VectorPiece& piece) const {
         const glm::dmat4 clip_from_world{camera_.clip_from_world()};
         std::array<glm::dvec2, 2> edge;
@@ -114,7 +114,8 @@ TEST_P(DrawnScene, TagsLeadBackToTheMesh) {
         for (const VectorPiece& piece : path.pieces) {
             const LineSource& source = piece.source;
             if (path.kind == LineKind::intersection) {
-                // A vertex this near to a plane counts as in it: contact, in lines/intersections.
+                // A vertex this near to a plane counts as in the plane (contact in
+                // lines/intersections).
                 expect_in_both_triangles(piece, 2.1F * near);
                 continue;
             }
@@ -130,7 +131,7 @@ TEST_P(DrawnScene, TagsLeadBackToTheMesh) {
             const Segment& segment = lines_.segments[piece.segment];
             const glm::vec3 p = mesh.positions[source.from], q = mesh.positions[source.to];
             const glm::vec3 a = lines_.vertices[segment.p], b = lines_.vertices[segment.q];
-            // All of the edge, or a part of it between seams.
+            // The piece is the whole edge, or a part of it between seams.
             const bool is_whole = (p == a && q == b) || (p == b && q == a);
             ASSERT_TRUE(is_whole || (on_edge(a, p, q, near) && on_edge(b, p, q, near)));
             ++pieces;

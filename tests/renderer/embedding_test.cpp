@@ -1,4 +1,4 @@
-// The renderer inside other people's programs: their depth, viewport, contexts and threads.
+// The renderer in programs that embed it: their depth, viewport, contexts and threads.
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,7 +34,8 @@ std::vector<std::uint8_t> picture(Renderer& renderer, const Camera& camera,
     return canvas.read();
 }
 
-// epoxy's functions are variables: those that make GL objects are counted here while one lives.
+// epoxy's functions are variables. While a counter lives, calls of functions that make GL objects
+// are counted here.
 std::size_t objects_made = 0;
 template <auto* function>
 class Counted {
@@ -65,7 +66,8 @@ struct ObjectCount {
     Counted<&epoxy_glCreateSamplers> samplers;
 };
 
-/// The samples of those segments that have as many in both, and how many segments have not.
+/// Compares the samples of segments with equally many samples in both frames. uncompared: the
+/// number of other segments.
 struct Compared {
     std::size_t samples = 0, different = 0, segments = 0, uncompared = 0;
     double share() const { return double(different) / double(samples); }
@@ -90,7 +92,8 @@ Compared compare(const Renderer::Samples& a, const Renderer::Samples& b, int all
 
 struct DepthCase {
     DepthSetup setup;
-    double most_different; ///< share of samples whose visibility differs by more than a probe
+    /// The largest share of samples whose visibility differs by more than a probe.
+    double most_different;
 };
 
 std::vector<DepthCase> depth_cases() {
@@ -119,8 +122,8 @@ class AppDepth : public testing::TestWithParam<DepthCase> {
     gl::HeadlessContext context_;
 };
 
-/// The same lines are visible by a program's depth of any kind as by one of the frame's own camera
-/// in floats. (By the renderer's own, of which it is known what it shows, more of them are hidden:
+/// Every kind of depth from a program shows the same lines as a depth of floats by the frame's own
+/// camera. (The renderer's own depth hides more of them, because the renderer knows its triangles:
 /// see ItHidesLessThanTheRenderersOwn.)
 TEST_P(AppDepth, HidesWhatPlainDepthHides) {
     const DepthSetup& setup = GetParam().setup;
@@ -136,7 +139,7 @@ TEST_P(AppDepth, HidesWhatPlainDepthHides) {
         plain.own_depth = DepthTexture{.texture = app.depth(), .scale = setup.scale};
         renderer.draw(camera, plain, canvas.framebuffer());
         const Renderer::Samples expected = renderer.read_samples();
-        // Programs choose planes with room to spare; inside a model the nearest one must stay.
+        // Programs choose planes with some room. Inside a model the near plane must stay.
         const glm::vec2 planes = planes_of(camera);
         const float near = name == "inside" ? planes.x : 0.2F * planes.x;
         const Camera of_app = app_camera(camera, near, 5 * planes.y, setup);
@@ -157,7 +160,7 @@ TEST_P(AppDepth, HidesWhatPlainDepthHides) {
 INSTANTIATE_TEST_SUITE_P(, AppDepth, testing::ValuesIn(depth_cases()),
                          [](const auto& info) { return info.param.setup.name; });
 
-/// Of a program whose context is one of the compatibility profile.
+/// A program with a context of the compatibility profile.
 TEST(AppDepthCompatibility, ATextureDrawsTheSamePicture) {
     std::vector<std::uint8_t> pictures[2];
     const auto draw = [](std::vector<std::uint8_t>& result) {
@@ -187,7 +190,7 @@ TEST(AppDepthCompatibility, ATextureDrawsTheSamePicture) {
     EXPECT_TRUE(equal(pictures[0], pictures[1]));
 }
 
-/// What a depth buffer alone cannot tell: whether what is just before a line is its own surface.
+/// A depth buffer alone cannot tell whether a surface just before a line is the line's own.
 TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
     const gl::HeadlessContext context;
     const LineSet& lines = scene_lines("house");
@@ -206,7 +209,7 @@ TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
         const Compared result = compare(expected, renderer.read_samples(), 29);
         RecordProperty("differ_" + name, std::to_string(result.share()));
         std::cout << name << ": " << 100 * result.share() << " % of the samples differ\n";
-        // From within, little stands so near before anything.
+        // In the view from inside few surfaces are so near to lines.
         if (name != "inside") {
             EXPECT_GT(result.share(), 0.05) << name;
         }
@@ -272,7 +275,7 @@ TEST_F(Embedding, TheSpineMethodTakesTheProgramsDepthToo) {
     theirs.own_depth = DepthTexture{.texture = app.depth()};
     const ByteDifference difference =
         compare_bytes(picture(renderer_, of_app, own), picture(renderer_, of_app, theirs), 32);
-    // Not all: what of it is its own surface, and what a thin plate, depth alone can't tell.
+    // Not exactly equal, because depth alone can't tell a line's own surface from a thin plate.
     EXPECT_LT(difference.share(), 2e-3);
 }
 
@@ -322,7 +325,7 @@ TEST_F(Embedding, APictureInAViewportIsThePictureAlone) {
                 if (inside) {
                     const auto* expected =
                         &small[static_cast<std::size_t>(at.y * part.x + at.x) * 4];
-                    // What is interpolated is rounded another way at another place.
+                    // Interpolated values are rounded differently at another place.
                     const auto near = [](int a, int b) { return std::abs(a - b) <= 2; };
                     if (!std::equal(pixel, pixel + 4, expected, near)) ++different;
                 } else if (pixel[0] != 128) {
@@ -351,7 +354,7 @@ TEST_F(Embedding, TwoRenderersShareAContext) {
     }
 }
 
-/// Of each scene, drawn alone on this thread.
+/// The picture of a scene, drawn on this thread alone.
 std::vector<std::uint8_t> picture_of(const std::string& scene) {
     const gl::HeadlessContext context;
     Renderer renderer;
@@ -378,7 +381,7 @@ TEST(Threads, ContextsAtOnceDrawWhatTheyDrawAlone) {
     }
 }
 
-/// Makes the current context one of none while it lives.
+/// Lets this thread have no current context while this object lives.
 class NoContext {
   public:
     NoContext() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }

@@ -1,4 +1,4 @@
-// What happens where a driver fails: every creation and every command of a frame, in turn.
+// Failures of a driver: every creation and every command of a frame fails in turn.
 #include <iostream>
 
 #include <CL/cl.h>
@@ -10,8 +10,8 @@ namespace {
 
 class Fault : public FaultFixture {
   protected:
-    /// Of a renderer that is gone nothing is left but what all share, a context with its programs,
-    /// and after a failure not even that.
+    /// Expects that a destroyed renderer leaves nothing but the shared context with its programs.
+    /// After a failure not even that is left.
     static void expect_only_shared(const ClCounts& shared) {
         const ClCounts& left = opencl_faults().references;
         for (const ClKind kind : {cl_contexts, cl_programs}) EXPECT_LE(left[kind], shared[kind]);
@@ -19,7 +19,8 @@ class Fault : public FaultFixture {
             EXPECT_EQ(left[kind], shared[kind]);
     }
 
-    /// A renderer's whole life with the n-th creation failing, for n from 1 until none does.
+    /// Runs a renderer from construction to destruction with the n-th creation failing, for n from
+    /// 1 until no creation fails.
     void fail_each_creation(int& fail, const int& creations, const FrameOptions& options) {
         const Picture expected = draw(*make_renderer(), options);
         const long live_gl = gl_faults().live;
@@ -70,7 +71,7 @@ TEST_P(Fault, ARendererGoesOnAfterAQueueThatFailsInTheMiddleOfAFrame) {
     const FrameOptions options = all_effects(Method::atlas);
     const std::unique_ptr<Renderer> renderer = make_renderer();
     const Picture expected = draw(*renderer, options);
-    for (int frame = 0; frame < 2; ++frame) { // the second one has made all that lasts
+    for (int frame = 0; frame < 2; ++frame) { // after the second frame all lasting objects exist
         opencl_faults().commands = 0;
         EXPECT_EQ(draw(*renderer, options), expected);
     }
@@ -121,7 +122,7 @@ TEST_P(Fault, AnErrorThatComesLateIsSaidToo) {
         opencl_faults().late = true;
         opencl_faults().fail_command = n;
         int said = 0;
-        // What only the next frame waits for is that frame's error.
+        // If only the next frame waits for a command, the error is that frame's.
         for (int frame = 0; frame < 2; ++frame) {
             try {
                 draw(*renderer, options);
@@ -154,7 +155,7 @@ TEST_P(Fault, ADeviceThatIsLostIsSaidAndANewRendererWorks) {
                 ADD_FAILURE() << "nothing was said";
             } catch (const DeviceError& error) {
                 const std::string said = error.what();
-                // The second frame begins with making its tables anew.
+                // The second frame first makes its tables again.
                 if (frame == 1) continue;
                 EXPECT_NE(said.find("the device is lost"), std::string::npos) << said;
             }

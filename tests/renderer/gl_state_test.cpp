@@ -1,4 +1,4 @@
-// What a program that embeds the renderer has set in GL stays as it is, and changes no picture.
+// GL state of a program that embeds the renderer stays as it is, and changes no picture.
 
 #include <algorithm>
 #include <functional>
@@ -72,7 +72,7 @@ std::vector<std::pair<std::string, Drawing>> drawings() {
 
 enum class Profile { core, compatibility };
 
-/// Of either profile.
+/// A context of either profile.
 struct Context {
     explicit Context(Profile profile) {
         if (profile == Profile::core)
@@ -102,7 +102,7 @@ struct Program {
     void check(const std::string& call) {
         EXPECT_EQ(differences(before, dump_state()), "") << "after " << call;
     }
-    /// In the initial state of another context: nothing odd disturbs the reading.
+    /// Reads in another context in its initial state, so that no odd state disturbs the reading.
     std::vector<std::uint8_t> read() {
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -177,7 +177,7 @@ void take_errors() {
     }
 }
 
-/// Expects the call to be refused by a message with `part` of it.
+/// Expects that the call is refused with a message that contains `part`.
 void expect_refused(const std::function<void()>& call, const std::string& part) {
     try {
         call();
@@ -193,7 +193,7 @@ TEST(GlStateCompatibility, WhereNothingIsDrawnCallsAreRefused) {
     const LineSet& lines = scene_lines("house");
     renderer.set_lines(lines);
     const gl::Canvas canvas{size};
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer()); // there is none to begin with
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer()); // none is bound at the start
     const std::function<void()> calls[] = {
         [&] { renderer.draw(camera(), {}, canvas.framebuffer()); },
         [&] { renderer.set_lines(lines); },
@@ -217,7 +217,7 @@ TEST(GlStateCompatibility, WhereNothingIsDrawnCallsAreRefused) {
         glBegin(GL_TRIANGLES);
         expect_refused(call, "glBegin");
         glEnd();
-        take_errors(); // between glBegin() and glEnd() nothing may be asked
+        take_errors(); // between glBegin() and glEnd() errors can't be read
         EXPECT_NO_THROW(call());
     }
 }

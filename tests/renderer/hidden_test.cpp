@@ -1,4 +1,4 @@
-// Objects that are hidden: the picture is that of a model without them, whatever the method.
+// Hidden objects. With every method the picture is that of a model without them.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> hidden_objects() {
     return hidden;
 }
 
-/// The scene without them; its objects are the others.
+/// The scene without the hidden objects. The other objects are its objects.
 LineSet house_without(const std::vector<std::uint32_t>& hidden) {
     Mesh mesh = make_scene("house").mesh;
     const auto is_hidden = [&](std::uint32_t group) {
@@ -54,7 +54,7 @@ LineSet house_without(const std::vector<std::uint32_t>& hidden) {
     return extract_lines(left, apart);
 }
 
-/// With the planes of the whole scene, so that depth is the same.
+/// A camera with the planes of the whole scene, so that depth is the same.
 Camera camera(int which = 0) {
     return scene_cameras("house", size)[static_cast<std::size_t>(which)].camera;
 }
@@ -73,7 +73,7 @@ class Hidden : public testing::TestWithParam<Method> {
     gl::Canvas canvas_{size};
 };
 
-/// Of two pictures of four bytes a pixel.
+/// The share of bytes that differ by more than 8 between two pictures.
 double differing_share(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     return compare_bytes(a, b, 8).share();
 }
@@ -93,7 +93,7 @@ TEST_P(Hidden, IsThePictureWithoutThem) {
             const auto drawn = picture(all, camera(view), options);
             const auto wanted = picture(without, camera(view), options);
             EXPECT_GT(differing_share(shown, wanted), 0.005);
-            // Where faces of two boxes coincide, a texel may show either: see moving_test.
+            // Where faces of two boxes coincide, a texel may show either of them: see moving_test.
             EXPECT_LT(differing_share(drawn, wanted), 2e-4);
         }
     }

@@ -1,5 +1,5 @@
-// What comes out of the device: intervals of lines, on drawings with known answers and on the
-// built-in scenes, through the whole renderer, OpenCL and plain C++, raster and compute atlas.
+// Intervals of lines that the whole renderer finds: in drawings with known answers and in the
+// built-in scenes, with OpenCL and plain C++, and with the raster and the compute atlas.
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ class IntervalsTest : public testing::TestWithParam<Form> {
         return renderer_.read_intervals();
     }
 
-    /// Where the line behind a sheet ends.
+    /// Expects that the line behind a sheet ends at the sheet's sides.
     void expect_ends(const FrameOptions& options, int pieces, float lean, float limit);
 
     gl::HeadlessContext context_;
@@ -89,7 +89,7 @@ LineSet line_behind_sheet(float left, float right, float lean, int pieces) {
     return extract_lines(mesh);
 }
 
-/// x at which the visibility of the file's line changes, from left to right.
+/// The values of x where the visibility of the file's line changes, from left to right.
 std::vector<float> changes(const LineSet& lines, const std::vector<Interval>& intervals) {
     std::vector<float> result;
     const Interval* before = nullptr;
@@ -104,13 +104,14 @@ std::vector<float> changes(const LineSet& lines, const std::vector<Interval>& in
     return result;
 }
 
-// Measured across the edge that hides the line: the depth buffer itself knows a slanted one only to
-// half a texel's diagonal.
+// Errors are measured across the edge that hides the line, because the depth buffer itself knows a
+// slanted edge only to half a texel's diagonal.
 TEST_P(IntervalsTest, EndsLieWhereTheSheetBegins) {
     for (const int depth_scale : {2, 4}) {
         FrameOptions options;
         options.depth_scale = depth_scale;
-        // The line's pieces are long, end in the middle of what changes, or are below a pixel.
+        // The pieces of the line are long, end where visibility changes, or are shorter than a
+        // pixel.
         for (const int pieces : {1, 7, 90, 700}) {
             for (const float lean : {0.0F, 0.5F, -1.0F, 2.0F}) {
                 expect_ends(options, pieces, lean, 0.7072F / static_cast<float>(depth_scale));
@@ -134,7 +135,7 @@ void IntervalsTest::expect_ends(const FrameOptions& options, int pieces, float l
     }
 }
 
-/// Arc lengths add up, neighbours meet, and ends are points of the model.
+/// Expects that arc lengths add up, that neighbours meet, and that ends are points of the model.
 void expect_whole(const LineSet& lines, const Camera& camera,
                   const std::vector<Interval>& intervals) {
     std::size_t visible = 0;
@@ -181,7 +182,8 @@ TEST_P(IntervalsTest, VisibleAndHiddenAreTheWholeOfEveryLine) {
             options.cull_hidden = false;
             const std::vector<Interval> whole = find(lines, view.camera, options);
             expect_whole(lines, view.camera, whole);
-            options.cull_hidden = true; // what is known to be hidden isn't missing either
+            // Segments that are known to be hidden are not missing either.
+            options.cull_hidden = true;
             const std::vector<Interval> culled = find(lines, view.camera, options);
             std::map<std::uint32_t, float> lengths;
             for (const Interval& interval : whole) lengths[interval.segment] += length_of(interval);
@@ -194,7 +196,7 @@ TEST_P(IntervalsTest, VisibleAndHiddenAreTheWholeOfEveryLine) {
     }
 }
 
-// Beside a smooth silhouette half of what a probe may see is the surface that folds away.
+// Beside a smooth silhouette the surface folds away over half of a probe's reach.
 TEST_P(IntervalsTest, TheOutlineOfABallIsVisibleAllAround) {
     const Mesh ball = sphere(5);
     const LineSet lines = extract_lines(ball);

@@ -1,4 +1,4 @@
-// The item buffer methods: scenes whose visibility is known, and the segment atlas as a yardstick.
+// The item buffer methods, tested by scenes with known visibility and against the segment atlas.
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ TEST_P(BothQualities, ALineHalfBehindABoxIsHalfVisible) {
 INSTANTIATE_TEST_SUITE_P(Quality, BothQualities, testing::Values(false, true),
                          [](const auto& info) { return info.param ? "high" : "low"; });
 
-/// Two lines, the second nearer, that share the texels around (100, 75) for some way.
+/// Two lines that share texels around (100, 75) for some way. The second one is nearer.
 Mesh crossing_lines() {
     Mesh mesh;
     add_line(mesh, {40.2F, 75.4F, -20}, {160.2F, 75.4F, -20});
@@ -175,7 +175,7 @@ TEST_F(ItemBuffer, OnlyThreeLinesFitIntoATexel) {
 }
 
 TEST_F(ItemBuffer, APartlyHiddenLineIsPartlyVisibleAtHigh) {
-    // The box covers the lower third of the line's pixel all along.
+    // The box covers the lower third of every pixel of the line.
     Mesh mesh;
     add_box(mesh, {-10, -10, -10}, {210, 75.34F, 10});
     add_line(mesh, {20.3F, 75.5F, -20}, {180.7F, 75.5F, -20});
@@ -190,7 +190,8 @@ TEST_F(ItemBuffer, AnEmptyLineSetDrawsNothing) {
         EXPECT_TRUE(draw(Mesh{}, item_buffer(high)).alpha.empty());
         Mesh box;
         add_box(box, {40, 30, -10}, {160, 120, 10});
-        EXPECT_TRUE(draw(box, item_buffer(high)).alpha.empty()); // no kind that is asked for
+        // The box has no line of a wanted kind.
+        EXPECT_TRUE(draw(box, item_buffer(high)).alpha.empty());
         EXPECT_EQ(stats_.runs, 0U);
     }
 }
@@ -218,7 +219,7 @@ TEST_F(ItemBuffer, ALineShorterThanAPixelIsVisible) {
         for (int i = 0; i < 20; ++i) {
             SCOPED_TRACE(i);
             const float place = 50 + 0.05F * static_cast<float>(i);
-            Mesh mesh; // two segments: alone it would be dropped
+            Mesh mesh; // two segments, because a single one would be dropped
             mesh.positions = {{place, 40.3F, 0}, {place + 0.2F, 40.4F, 0}, {place + 30, 40.4F, 0}};
             mesh.polylines = {{0, 1, 2}};
             const Renderer::Samples samples = draw(mesh, item_buffer(high));

@@ -30,24 +30,24 @@ double length_px(const Camera& camera, glm::vec3 p, glm::vec3 q) {
 
 namespace {
 
-/// Pixels a unit is worth at depth z.
+/// Pixels per unit at depth z.
 double scale_at(bool perspective, double z) {
     return perspective ? per_unit * eye_z / (eye_z - z) : per_unit;
 }
 
-/// x at depth z of what stands before it at x, `from` z.
+/// The x at depth z of the place that a point at x and depth `from` covers.
 double behind(bool perspective, double x, double from, double z) {
     return x * scale_at(perspective, from) / scale_at(perspective, z);
 }
 
-/// A line across the picture at depth z, a little oblique, so that it meets texels anywhere.
+/// A slightly oblique line across the picture at depth z, so that it crosses texels at all places.
 struct Across {
     glm::vec3 p, q;
     double length; ///< on the screen
 
     Across(const Camera& camera, float z, float y = 0.013F)
         : p{-1.503F, y, z}, q{1.497F, y + 0.1F, z}, length(length_px(camera, p, q)) {}
-    /// The place where it passes x.
+    /// The place on the line where it passes x.
     double at(double x) const { return (x - p.x) / (q.x - p.x) * length; }
 };
 
@@ -96,14 +96,15 @@ Known thin_gap(bool perspective, const Camera& camera) {
     const Across line{camera, -0.5F};
     const auto at = [&](double x) { return line.at(behind(perspective, x, 0.5, -0.5)); };
     known.line(line.p, line.q, {{at(left), at(right)}});
-    // The same gap, seen through lengthwise.
+    // A line that is seen through the same gap lengthwise.
     const auto middle = static_cast<float>(behind(perspective, (left + right) / 2, 0.5, -0.5));
     const glm::vec3 p{middle, -0.7F, -0.5F}, q{middle, 0.7F, -0.5F};
     known.line(p, q, {{0, length_px(camera, p, q)}});
     return known;
 }
 
-/// Sheets 0.3, 0.7, 1, 1.5 and 5 pixels before lines hide them: a surface hides however near it is.
+/// Sheets 0.3, 0.7, 1, 1.5 and 5 pixels before lines hide the lines. A surface hides at any
+/// distance.
 Known sheets_before_lines(bool, const Camera& camera) {
     Known known;
     float y = -1.5F;
@@ -116,8 +117,8 @@ Known sheets_before_lines(bool, const Camera& camera) {
     return known;
 }
 
-/// A line 5.5 pixels before a sheet that rises by 10 to 1 across it: half a pixel to its right the
-/// sheet comes before it, and that far no probe stands.
+/// A line 5.5 pixels before a sheet that rises by 10 to 1 across it. Half a pixel to the right the
+/// sheet comes before the line, but no probe is that far away.
 Known before_a_steep_sheet(bool, const Camera& camera) {
     Known known;
     const glm::vec3 p{0.013F, -1.5F, 0}, q{0.113F, 1.5F, 0};
@@ -179,7 +180,7 @@ Known bar_through_a_sheet(bool perspective, const Camera& camera) {
     return known;
 }
 
-/// A slope of 45 degrees, long edge on one side, two short ones on the other.
+/// A slope of 45 degrees with a long edge on one side and two short ones on the other.
 Known t_junction(bool, const Camera& camera) {
     Known known;
     const glm::vec3 low{0.03F, -1, -0.5F}, high{0.03F, 1, 1.5F}, middle{0.03F, 0.25F, 0.75F};
@@ -193,7 +194,7 @@ Known t_junction(bool, const Camera& camera) {
     const auto whole = [&](glm::vec3 p, glm::vec3 q) {
         known.answers.push_back({p, q, {{0, length_px(camera, p, q)}}});
     };
-    whole(low, middle), whole(middle, high); // each an edge of two faces
+    whole(low, middle), whole(middle, high); // both are edges of two faces
     const auto drawn = [&](glm::vec3 p, glm::vec3 q, bool visible) {
         known.line(p, q, {});
         if (visible) known.answers.back().visible = {{0, length_px(camera, p, q)}};
@@ -228,11 +229,11 @@ Known coplanar(bool, const Camera& camera) {
 
 Known at_the_border(bool perspective, const Camera& camera) {
     Known known;
-    // In the outermost pixels, and out of the picture on the right.
+    // A line in the outermost pixels, and one that leaves the picture on the right.
     const glm::vec3 p{-1.995F, -1.5F, 0}, q{-1.995F, 1.5F, 0};
     known.line(p, q, {{0, length_px(camera, p, q)}});
     known.line({0.5F, 0.3F, 0}, {3, 0.3F, 0}, {{0, 150}}); // pixels inside
-    // Behind a sheet that also goes beyond the picture, from below.
+    // A line behind a sheet. Both leave the picture at the bottom.
     known.sheet({-0.4F, -3}, {0.4F, -1.2F}, 0.5F);
     const double top = behind(perspective, -1.2, 0.5, 0);
     known.line({0.1F, -2.7F, 0}, {0.1F, 0, 0}, {{(2 + top) * per_unit, 2 * per_unit}});

@@ -10,14 +10,14 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/mesh.hpp"
 
-// Lines before and behind bodies, whose visibility is known by hand.
+// Lines before and behind bodies. The visible parts of the lines are known by hand.
 namespace lineatlas::test {
 
 constexpr int side = 400;        // of the viewport, pixels
 constexpr double per_unit = 100; // pixels, at z = 0
 constexpr double eye_z = 10;
 
-/// From (0, 0, 10) along -z; in perspective the frame at z = 0 is that of the parallel projection.
+/// A camera at (0, 0, 10) that looks along -z. At z = 0 both projections show the same frame.
 Camera front_camera(bool perspective);
 
 /// Window position in pixels.
@@ -29,7 +29,7 @@ struct Span {
     double from, to;
 };
 
-/// A line and where it is visible.
+/// A line and its visible parts.
 struct Answer {
     glm::vec3 p, q;
     std::vector<Span> visible;
@@ -49,7 +49,7 @@ struct Known {
         mesh.triangles.emplace_back(first, first + 1, first + 2);
         mesh.triangles.emplace_back(first, first + 2, first + 3);
     }
-    /// Facing the eye.
+    /// Adds a sheet that faces the eye.
     void sheet(glm::vec2 low, glm::vec2 high, float z) {
         quad({low, z}, {high.x, low.y, z}, {high, z}, {low.x, high.y, z});
     }

@@ -1,4 +1,4 @@
-// Pixels that kernels drew, over a picture.
+// Pixels by kernels, laid over a picture.
 
 #include "glpasses/layer_pass.hpp"
 
@@ -18,7 +18,7 @@ using Pixel = std::array<std::uint8_t, 4>;
 
 class LayerTest : public testing::Test {
   protected:
-    /// Over a picture of (200, 100, 50, 255); rows from the top.
+    /// The pixels laid over a picture of (200, 100, 50, 255); rows from the top.
     std::vector<Pixel> over(const std::vector<Pixel>& pixels, glm::ivec2 size,
                             const TexelRectangle& part, glm::ivec2 origin) {
         const gl::Buffer buffer = gl::Buffer::create();

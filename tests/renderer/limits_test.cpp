@@ -1,4 +1,4 @@
-// Devices that are too small: what is drawn nevertheless, and what is said where nothing can be.
+// Devices that are too small: the pictures that they still draw, and the messages if they can't.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ FrameOptions dense() {
     return options;
 }
 
-/// Frames in which each table is once larger than all others.
+/// Frames such that each table is the largest one in some frame.
 std::vector<LargeFrame> large_frames() {
     return {{"clevis", {160, 120}, all_effects(Method::atlas)},
             {"clevis", {800, 600}, fine_steps()},
@@ -45,7 +45,7 @@ std::vector<LargeFrame> large_frames() {
             {"clevis", {160, 120}, {.method = Method::opengl}}};
 }
 
-/// Some of them, for sweeps that find the same tables.
+/// Some of the large frames, for tests in which the others only repeat the same tables.
 std::vector<LargeFrame> some_frames() {
     std::vector<LargeFrame> frames = large_frames();
     return {frames[0], frames[2], frames[3], frames[4], frames[6]};
@@ -53,7 +53,7 @@ std::vector<LargeFrame> some_frames() {
 
 class Limits : public FaultFixture {
   protected:
-    /// Draws this from now on.
+    /// Draws this frame from now on.
     Picture use(const LargeFrame& frame) {
         canvas_ = std::make_unique<gl::Canvas>(frame.size);
         const Scene scene = make_scene(frame.scene);
@@ -62,7 +62,8 @@ class Limits : public FaultFixture {
         return draw(*make_renderer(), frame.options);
     }
 
-    /// A picture, by tiles where it must be; empty if the device is too small, which was then said.
+    /// A picture, by tiles if necessary. It is empty if the device is too small; then there was a
+    /// message.
     Picture try_draw(Renderer& renderer, const FrameOptions& options) {
         try {
             const int tile = renderer.tile_size(camera_.size, options);
@@ -94,13 +95,15 @@ class Limits : public FaultFixture {
         return picture;
     }
 
-    /// A message about a limit: what needs how much, what there is, and what helps.
+    /// Checks a message about a limit: it must say what needs how much, what there is, and what
+    /// helps.
     void note(const std::string& message) {
         const std::size_t needs = message.find(" needs "), there_is = message.find(", and "),
                           help = message.find("; use ");
         EXPECT_TRUE(needs < there_is && there_is < help && help != std::string::npos) << message;
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-        const std::size_t mode = message.find(" cannot share "); // that stands before the cause
+        // These words come before the cause.
+        const std::size_t mode = message.find(" cannot share ");
         const std::size_t what = mode < needs ? message.find(": ", mode) + 2 : 0;
         ++said_[message.substr(what, needs - what)];
     }
@@ -121,8 +124,9 @@ class Limits : public FaultFixture {
         EXPECT_LE(compare_bytes(expected, seen).share(), 1e-3) << "limit " << limit;
     }
 
-    /// Draws with ever less: each frame is the one of a large device, or ends in a message with
-    /// all released; then the same renderer draws what is small enough.
+    /// Draws with a limit that shrinks. Each frame must equal that of a large device, or end in a
+    /// message with all memory released. Then the same renderer must draw a frame that is small
+    /// enough.
     template <class Limit>
     void shrink(Limit& limit, std::uint64_t most, std::uint64_t least, const LargeFrame& frame,
                 double factor = 0.5) {
@@ -138,7 +142,7 @@ class Limits : public FaultFixture {
                 const Picture picture = try_draw(*renderer, frame.options);
                 count(expected, picture, value);
                 if (picture.empty()) draw_something_small(*renderer);
-            } catch (const Error& error) { // of a renderer too large without a frame
+            } catch (const Error& error) { // the renderer is too large even without a frame
                 ++refused_;
                 note(error.what());
             }
@@ -153,7 +157,7 @@ class Limits : public FaultFixture {
         }
     }
 
-    /// If that is possible: the first tables of a frame may be too large already.
+    /// Draws if possible. Even the first tables of a frame may be too large.
     void draw_something_small(Renderer& renderer) {
         Camera small = camera_;
         small.size = {40, 30};
@@ -205,12 +209,12 @@ class Chunks : public Limits {
         return result;
     }
 
-    /// Of a device whose buffers hold `bytes`, against one that knows no limit.
+    /// Expects the same frame from a device whose buffers hold `bytes` as from one without a limit.
     void expect_the_same(const FrameOptions& options, std::uint64_t bytes) {
         const Drawn whole = drawn(*make_renderer(), options);
         opencl_faults().largest_buffer = bytes;
         const std::unique_ptr<Renderer> renderer = make_renderer();
-        for (int frame = 0; frame < 2; ++frame) { // the second one with tables that have grown
+        for (int frame = 0; frame < 2; ++frame) { // the second frame has grown tables
             const Drawn cut = drawn(*renderer, options);
             EXPECT_EQ(cut.picture, whole.picture);
             EXPECT_EQ(cut.samples, whole.samples);
@@ -221,7 +225,7 @@ class Chunks : public Limits {
         opencl_faults().largest_buffer = 0;
     }
 
-    /// Few triangles with many lines: the model's own but silhouettes, drawn over and over.
+    /// Repeats the model's lines except silhouettes, so that few triangles have many lines.
     void repeat_lines(std::uint32_t times) {
         std::vector<Segment>& all = lines_.segments;
         const auto candidates = std::ranges::find_if(all, [](const Segment& segment) {
@@ -240,10 +244,10 @@ class Chunks : public Limits {
         all.insert(all.begin(), copies.begin(), copies.end()); // candidates stay last
     }
 
-    /// Everything that looks at no more than a path, or adds up what paths do.
+    /// Options for all effects that need a single path at a time, or sums over paths.
     static FrameOptions by_paths(Method method) {
         FrameOptions options{.method = method, .depth_scale = 1, .steady = false};
-        options.style.pen.opacity = 0.3F; // what is drawn twice, or in another order, shows
+        options.style.pen.opacity = 0.3F; // lines that are drawn twice or in another order show
         if (method == Method::spine) return options;
         options.intervals = KeptIntervals::all;
         options.style.pen.mark = "pencil";
@@ -346,7 +350,7 @@ TEST_P(Chunks, WithoutRoomForContoursSilhouettesRunAlongEdges) {
 TEST_P(Chunks, GoByTilesToo) {
     const LargeFrame frame{"house", {400, 300}, by_paths(Method::atlas)};
     FrameOptions options = frame.options;
-    options.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    options.intervals = KeptIntervals::none; // intervals need depth that tiles lack
     options.depth_scale = 2;
     use({frame.scene, frame.size, options});
     const Picture whole = draw_tiles(*make_renderer(), options, 120);
@@ -379,7 +383,7 @@ TEST_P(Chunks, AreNotForWhatNeedsAllLinesAtOnce) {
     items.intervals = KeptIntervals::none;
     for (const FrameOptions& options : {halo, items})
         EXPECT_TRUE(try_draw(*renderer, options).empty());
-    EXPECT_FALSE(try_draw(*renderer, plain).empty()); // the renderer is as good as before
+    EXPECT_FALSE(try_draw(*renderer, plain).empty()); // the renderer still works
     try {
         renderer->read_samples();
         ADD_FAILURE();
@@ -448,7 +452,7 @@ TEST_P(Limits, LeaveAModelThatCannotMoveWhereItWas) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"), mode_name);
 
-/// Of GL: they do not depend on the mode.
+/// Limits of GL, which do not depend on the mode.
 class GlLimits : public Limits {};
 
 TEST_P(GlLimits, OfMemoryAreSaid) {
@@ -461,7 +465,7 @@ TEST_P(GlLimits, OfMemoryAreSaid) {
     expect_said({&purpose::strokes, &purpose::depth});
 }
 
-/// Of a renderer that stands already, so that what a frame makes is what is too large.
+/// The renderer exists before the limit, so that objects of a frame are too large, not its own.
 TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
     for (const LargeFrame& frame : large_frames()) {
         const Picture expected = use(frame);
@@ -485,7 +489,7 @@ TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
 
 TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
     FrameOptions effects = all_effects(Method::atlas);
-    effects.intervals = KeptIntervals::none; // need depth that tiles don't keep
+    effects.intervals = KeptIntervals::none; // intervals need depth that tiles lack
     effects.style.pen.mark = "solid";        // others are textures of 1024 texels
     effects.style.hidden_pen.mark = "solid";
     effects.style.paper.grain = 0;
@@ -520,10 +524,10 @@ TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
     expect_said({&purpose::atlas, &purpose::fill, &purpose::depth, &purpose::density});
 }
 
-/// GL that is not software draws the atlas; where it has too many rows for that, kernels do.
+/// A hardware GL draws the atlas. If the atlas has too many rows for GL, kernels draw it.
 TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
     FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
-    options.forms.depth = StageForm::raster;   // else `automatic` takes another form on another GL
+    options.forms.depth = StageForm::raster;   // `automatic` depends on the GL
     options.forms.strokes = StageForm::raster; // the same
     options.forms.atlas = StageForm::compute;
     const Picture expected = use({"house", {100, 75}, options});
@@ -532,7 +536,7 @@ TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
     options.forms.atlas = StageForm::automatic;
     const std::unique_ptr<Renderer> renderer = make_renderer();
     EXPECT_EQ(draw(*renderer, options), expected);
-    // Where the atlas is large enough from the start.
+    // The atlas is large enough from the start.
     EXPECT_EQ(draw(*renderer, options), expected);
     options.forms.atlas = StageForm::raster;
     EXPECT_TRUE(try_draw(*renderer, options).empty());

@@ -1,6 +1,7 @@
-// The library in loops, as a program uses it that runs for weeks: visibility on four threads,
-// renderers made and destroyed, callbacks that throw, line sets of ever other sizes. Results stay
-// the same, and memory does not grow. `loops 1000` is a long run; the suite runs a short one.
+// Uses the library in loops, like a program that runs for weeks: visibility on four threads,
+// renderers that are made and destroyed, callbacks that throw, and line sets of changing sizes.
+// Results must stay the same, and memory must not grow. `loops 1000` is a long run; the suite runs
+// a short one.
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -37,9 +38,9 @@ long held_memory() {
     throw std::runtime_error(what);
 }
 
-/// Runs `step(i)` for i below `count`; memory after the last half is held against that before it.
+/// Runs `step(i)` for i below `count`. Compares memory before and after the second half.
 void loop(const std::string& name, int count, const std::function<void(int)>& step) {
-    constexpr long most_growth = 8 << 10; // KiB: what drivers and allocators keep back
+    constexpr long most_growth = 8 << 10; // KiB that drivers and allocators keep
     const int half = count / 2;
     for (int i = 0; i < half; ++i) step(i);
     const long before = held_memory();

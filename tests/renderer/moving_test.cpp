@@ -1,5 +1,5 @@
-// Models that move: objects with a matrix each, and shapes that change. What the device makes of
-// them is what a model would be that is made where they are.
+// Models that move: objects with matrices, and shapes that change. The device's tables are those of
+// a model that was made at the new places.
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ glm::vec3 middle_of(const LineSet& lines, const LineObject& object) {
     return sum / static_cast<float>(std::max(object.vertex_count, 1U));
 }
 
-/// Every object but the first somewhere else; some of them mirrored.
+/// Matrices that move every object but the first, and mirror some.
 std::vector<glm::mat4> scattered(const LineSet& lines, float amount) {
     std::vector<glm::mat4> result(lines.objects.size(), glm::mat4{1});
     for (std::size_t i = 1; i < result.size(); ++i) {
@@ -116,7 +116,7 @@ TEST(Objects, ShareTheIndicesOfTheirMesh) {
                 .groups = {},
                 .polylines = {{0, 1}, {2, 3}},
                 .triangle_object = mesh.triangle_object};
-    // The second cube with corners of the first: one position, two vertices.
+    // The second cube uses corners of the first. So one position has two vertices.
     for (std::size_t i = mesh.triangles.size() / 2; i < mesh.triangles.size(); ++i) {
         mesh.triangles[i] -= 8U;
     }
@@ -187,7 +187,7 @@ TEST_P(TransformStage, IsTheSameBitByBit) {
     EXPECT_TRUE(same_bits(there.vertices, seen.vertices));
     EXPECT_GT(std::ranges::count(seen.ranges, 0U), 0);
     EXPECT_GT(std::ranges::count(seen.ranges, 0xFFFF0000U), 0);
-    // Boxes hold what they must; the exact ones are those of the model made there.
+    // Boxes hold their triangles. Exact boxes are those of a model made at these places.
     const TriangleClusters parts =
         build_clusters(lines.vertices, lines.triangles, 64, lines.objects);
     for (std::size_t i = 0; i < parts.clusters.size(); ++i) {
@@ -224,7 +224,7 @@ class Moving : public testing::TestWithParam<MovingCase> {
     FrameStats stats_;
 };
 
-/// Intervals agree to `pixels`. Returns how many there are.
+/// Expects that intervals agree to `pixels`. Returns their number.
 std::size_t expect_close(const std::vector<Interval>& a, const std::vector<Interval>& b,
                          float pixels) {
     EXPECT_EQ(a.size(), b.size());
@@ -240,7 +240,7 @@ std::size_t expect_close(const std::vector<Interval>& a, const std::vector<Inter
     return a.size();
 }
 
-/// Of two pictures of four bytes a pixel.
+/// The number of pixels that differ between two pictures of four bytes a pixel.
 std::size_t differing_pixels(const std::vector<std::uint8_t>& a,
                              const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
@@ -269,8 +269,9 @@ TEST_P(Moving, ObjectsAreWhereAModelWouldBeThatIsMadeThere) {
                           1000U);
                 continue;
             }
-            // Where faces of two boxes coincide, a texel may show either: their order in the depth
-            // pass is that of clusters, which are other ones where the model is made elsewhere.
+            // Where faces of two boxes coincide, a texel may show either of them. Their order in
+            // the depth pass is that of clusters, and a model made at other places has other
+            // clusters.
             EXPECT_LE(differing_pixels(drawn, wanted), wanted.size() / 4 / 10000);
             EXPECT_NEAR(static_cast<double>(moving.read_intervals().size()) /
                             static_cast<double>(still.read_intervals().size()),
@@ -328,7 +329,8 @@ TEST_P(Moving, AShapeMayChange) {
     moving.set_positions(half, std::span{bent.vertices}.subspan(half));
     const auto after = picture(moving, camera, options);
     EXPECT_FALSE(equal(before, after));
-    // What touches, for the exact method, is a share of the model's size as it was set.
+    // For the exact method, the distance of touching bodies is a share of the model's size as it
+    // was set.
     const auto expect_same = [&](const std::vector<std::uint8_t>& a,
                                  const std::vector<std::uint8_t>& b) {
         if (GetParam().method == Method::exact)
@@ -369,7 +371,7 @@ TEST(MovingRenderer, EveryStageIsComparedAndEqual) {
     Renderer renderer{{.compare_with = "cpp"}};
     const LineSet& lines = office();
     renderer.set_lines(lines);
-    for (const float amount : {0.0F, 0.01F, 0.5F}) { // slow, then a jump
+    for (const float amount : {0.0F, 0.01F, 0.5F}) { // slow movement, then a jump
         renderer.set_transforms(scattered(lines, amount));
         EXPECT_NO_THROW(renderer.draw(office_camera(0), {}, canvas.framebuffer()));
     }
@@ -390,7 +392,7 @@ TEST(MovingRenderer, WhatJumpsIsNotAveraged) {
     Renderer steady, plain;
     for (Renderer* renderer : {&steady, &plain}) renderer->set_lines(lines);
     draw(steady, true);
-    // Far enough for the farthest object to move by more than four pixels; most stay.
+    // Some objects move; the farthest of them must move by more than four pixels.
     std::vector<glm::mat4> transforms(lines.objects.size(), glm::mat4{1});
     std::vector<bool> has_moved(lines.vertices.size());
     for (std::size_t i = 1; i < transforms.size(); i += 4) {

@@ -1,5 +1,5 @@
-// Whole frames: every choice that must not change the picture, compared on the four scenes,
-// the small ones at several cameras, one of them inside the model.
+// Whole frames with every choice that must not change the picture, compared in the four scenes.
+// Small scenes are drawn at several cameras, one of them inside the model.
 
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
@@ -19,7 +19,7 @@ struct Drawn {
     FrameStats stats;
 };
 
-/// Why the device that a renderer takes cannot share memory with GL; empty if it can.
+/// The reason why the renderer's device cannot share memory with GL; empty if it can.
 std::string why_no_shared_memory() {
     try {
         Renderer{DeviceOptions{.interop = "host-pointer"}};
@@ -29,7 +29,7 @@ std::string why_no_shared_memory() {
     return {};
 }
 
-/// What every comparison of pictures needs.
+/// The base of all comparisons of pictures.
 class Pictures : public testing::Test {
   protected:
     Drawn draw(Renderer& renderer, const Camera& camera, const FrameOptions& options) {
@@ -50,14 +50,14 @@ class SamePicture : public Pictures, public testing::WithParamInterface<std::str
     Renderer renderer(const DeviceOptions& options) {
         Renderer result{options};
         result.set_lines(scene_lines(GetParam()));
-        // Boxes around batches, by which hidden segments are dropped with no samples at all, are
-        // made once the model stands still.
+        // By boxes around batches the renderer drops hidden segments without any sample. It makes
+        // these boxes when the model stands still.
         const Camera camera = few_scene_cameras(GetParam(), canvas_.size())[0].camera;
         for (int frame = 0; frame < 2; ++frame) draw(result, camera, {.steady = false});
         return result;
     }
 
-    /// Draws every camera both ways and hands the results to `compare`.
+    /// Draws every camera in both ways and passes the results to `compare`.
     template <class Compare>
     void compare_each(Renderer& a, const FrameOptions& a_options, Renderer& b,
                       const FrameOptions& b_options, Compare&& compare) {
@@ -126,7 +126,7 @@ TEST_P(SamePicture, OpenClEqualsReference) {
 }
 
 TEST_P(SamePicture, ExactIsTheAtlasButForWhatThatGetsWrong) {
-    // Where a line lies less than two pixels behind what hides it the atlas draws it all the same.
+    // The atlas draws a line that lies less than two pixels behind the surface that hides it.
     Renderer r = renderer({});
     compare_each(r, {.method = Method::exact}, r, {}, [](const Drawn& exact, const Drawn& atlas) {
         const auto ink = [](const Drawn& drawn, std::size_t i) { return 255 - drawn.pixels[i]; };
@@ -226,7 +226,7 @@ TEST_P(SamePicture, MeasuringStagesChangesNothing) {
 INSTANTIATE_TEST_SUITE_P(Scene, SamePicture, testing::Values("clevis", "house", "ship", "office"),
                          [](const auto& info) { return info.param; });
 
-/// The comparisons above, each against an error planted on one side.
+/// The comparisons above, each with an error planted on one side.
 class Planted : public Pictures {
   protected:
     Drawn draw_clevis(const FrameOptions& options, const DeviceOptions& device = {}) {
@@ -255,7 +255,8 @@ TEST_F(Planted, InTheProbeShaderIsSeenBesideTheKernel) {
 }
 
 TEST_F(Planted, InTheSecondDrawIsSeenBesideTheKernel) {
-    // In what is drawn there, not in where: a texel that nobody draws may hold what is right.
+    // The error is in values, not in places, because a texel that is not drawn may hold the right
+    // value.
     const PlantedError error{"atlas.frag", "alpha = visibility(",
                              "alpha = texel.y > sample_base.x / uint(atlas_size.x) ? 0.5 : "
                              "visibility("};
@@ -283,7 +284,7 @@ class Frames : public testing::Test {
 };
 
 TEST_F(Frames, AnAtlasThatIsTooSmallGrowsAndDrawsEverything) {
-    // A finer step asks for more samples and runs than the renderer starts with.
+    // A finer step needs more samples and runs than the renderer starts with.
     for (const StageForm form : {StageForm::compute, StageForm::raster}) {
         Renderer fresh;
         fresh.set_lines(scene_lines("house"));
@@ -347,7 +348,7 @@ TEST_F(Frames, BadOptionsAreRefused) {
     EXPECT_THROW(Renderer{DeviceOptions{.device = "opencl:no such platform"}}, UsageError);
     EXPECT_THROW(Renderer{DeviceOptions{.interop = "telepathy"}}, UsageError);
     EXPECT_THROW(Renderer{}.read_samples(), UsageError);
-    EXPECT_NO_THROW(draw({})); // and the renderer still works
+    EXPECT_NO_THROW(draw({})); // the renderer still works
 }
 
 } // namespace

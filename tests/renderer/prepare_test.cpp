@@ -1,5 +1,5 @@
-// Kernels are built ahead of all frames where that is asked for. What is counted is what the driver
-// is asked to do.
+// Kernels are built before all frames if the caller asks for it. The tests count requests to the
+// driver.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ struct Look {
     FrameOptions options;
 };
 
-/// Every stage that there is, in every form, is in one of them.
+/// Looks that together use every stage in every form.
 std::vector<Look> make_looks() {
     std::vector<Look> looks{{"atlas", {}}, {"exact", {.method = Method::exact}}};
     for (const StyleInfo& style : list_styles()) {
@@ -68,7 +68,7 @@ const std::vector<Look>& looks() {
     return all;
 }
 
-/// Lines of all kinds: small, smooth, and so many that what is hidden is left out.
+/// Line sets: small ones, smooth ones, and one that is large enough for culling.
 std::vector<LineSet> make_line_sets() {
     Random random{7};
     std::vector<LineSet> sets{extract_lines(make_scene("clevis").mesh)};
@@ -88,7 +88,7 @@ class Prepare : public FaultFixture {
             DeviceOptions{.compute = "opencl", .interop = GetParam()});
     }
 
-    /// Frame after frame: some stages need one before them, others something that has moved.
+    /// Draws several frames. Some stages need an earlier frame, others a movement.
     void draw_some(Renderer& renderer, const LineSet& lines, const FrameOptions& options) {
         renderer.set_lines(lines);
         Camera camera = make_camera(View{.eye = {3, 2, 4}}, fault_size, lines.bounds);
@@ -114,7 +114,7 @@ TEST_P(Prepare, NoFrameBuildsWhatWasPrepared) {
     for (const Look& look : looks()) {
         SCOPED_TRACE(look.name);
         const std::unique_ptr<Renderer> renderer = make_empty();
-        opencl_faults().period = ++period; // what others launched does not count
+        opencl_faults().period = ++period; // launches of earlier tests do not count
         renderer->prepare(look.options);
         opencl_faults().builds = opencl_faults().new_forms = 0;
         for (const LineSet& lines : sets) draw_some(*renderer, lines, look.options);
@@ -172,7 +172,7 @@ TEST_P(Prepare, AFailureIsSaidAndTheNextOneWorks) {
     EXPECT_NO_THROW(renderer->prepare({}));
 }
 
-// Kernels do not depend on it.
+// Kernels do not depend on the sharing mode.
 INSTANTIATE_TEST_SUITE_P(OneMode, Prepare, testing::Values("host-pointer"), mode_name);
 
 } // namespace

@@ -1,4 +1,4 @@
-// Calls that take long tell how far they are, and stop when they are told to.
+// Long calls report their progress, and stop when they are told to.
 
 #include <cstddef>
 #include <filesystem>
@@ -20,7 +20,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// A Progress that keeps what it is told, and stops after some calls.
+/// A Progress that records its reports and stops the call after some of them.
 class Watch {
   public:
     explicit Watch(std::size_t most = 1000000) : most_(most) {}
@@ -32,7 +32,7 @@ class Watch {
         };
     }
     const std::vector<float>& told() const { return told_; }
-    /// From 0 to 1, and at least so many, none less than the one before.
+    /// Expects at least `least` reports, from 0 to 1, that never decrease.
     void expect_whole(std::size_t least) const {
         ASSERT_GE(told_.size(), least);
         EXPECT_EQ(told_.front(), 0);
@@ -45,7 +45,7 @@ class Watch {
     std::vector<float> told_;
 };
 
-/// Stops the call at each place where it asks; it is told nothing after that.
+/// Stops the call at each of its reports, and expects no report after that.
 template <class Call>
 void expect_stops_everywhere(const Call& call) {
     Watch whole;

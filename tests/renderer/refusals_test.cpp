@@ -1,5 +1,5 @@
-// What is wrong is refused before anything is drawn, by every call in the same words, and leaves
-// the renderer as it was.
+// Every call refuses wrong arguments in the same words before it draws anything, and leaves the
+// renderer as it was.
 
 #include <cmath>
 #include <functional>
@@ -61,8 +61,8 @@ class Refusals : public testing::Test {
         renderer_.draw_tiles(camera, options, {canvas_.framebuffer(), 64, nothing, nothing});
     }
 
-    /// Expects the call to be refused, with nothing drawn and no error of GL, and the next picture
-    /// to be what it was. Gives the message.
+    /// Expects that the call is refused, that it draws nothing and leaves no error of GL, and that
+    /// the next picture is the same as before. Returns the message.
     std::string refuses(const std::string& what, const std::function<void()>& call) {
         canvas_.clear({0.25F, 0.5F, 0.75F, 1});
         const std::vector<std::uint8_t> before = canvas_.read();

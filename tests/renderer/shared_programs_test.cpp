@@ -1,4 +1,4 @@
-// Programs are built once in a process. What is counted is what the driver is asked to do.
+// Programs are built once in a process. The tests count requests to the driver.
 #include <array>
 #include <thread>
 #include <vector>
@@ -12,7 +12,7 @@ class SharedPrograms : public FaultFixture {
   protected:
     SharedPrograms() { opencl_faults().builds_once = false; }
 
-    /// From here on nothing is built yet.
+    /// Forgets all programs that are built.
     void forget_programs() {
         const std::unique_ptr<Renderer> renderer = make_renderer();
         opencl_faults().fail_command = 1;
@@ -26,8 +26,8 @@ TEST_P(SharedPrograms, AProcessBuildsAProgramOnce) {
     const std::unique_ptr<Renderer> first = make_renderer();
     const Picture expected = draw(*first, options);
     opencl_faults().builds = 0;
-    EXPECT_EQ(draw(*make_renderer(), options), expected); // beside the first
-    EXPECT_EQ(draw(*make_renderer(), options), expected); // after one that is gone
+    EXPECT_EQ(draw(*make_renderer(), options), expected); // while the first one exists
+    EXPECT_EQ(draw(*make_renderer(), options), expected); // after another one is destroyed
     EXPECT_EQ(opencl_faults().builds, 0);
 }
 
@@ -73,7 +73,7 @@ TEST_P(SharedPrograms, ThreadsBuildAProgramOnceTogether) {
     EXPECT_EQ(opencl_faults().builds, builds);
 }
 
-// Programs do not depend on it.
+// Programs do not depend on the sharing mode.
 INSTANTIATE_TEST_SUITE_P(OneMode, SharedPrograms, testing::Values("host-pointer"), mode_name);
 
 } // namespace

@@ -1,6 +1,6 @@
-// A night of frames in short: methods, styles, models and sharing modes change all the time, and
-// memory, objects, frame times and the pictures of equal frames must not. ./run soak; the suite
-// runs a short one.
+// Draws frames like a whole night of use, but in less time. Methods, styles, models and sharing
+// modes change all the time. Memory, numbers of objects, frame times and the pictures of equal
+// frames must not change. ./run soak is a long run; the suite runs a short one.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -39,8 +39,9 @@ constexpr glm::ivec2 size{320, 240};
 constexpr int angles = 30;           // of the turntable
 constexpr int frames_per_change = 5; // of method and style
 constexpr double most_allocated_growth_percent = 1;
-// Looser: it is pages that were touched. A table of which a frame uses the beginning holds little
-// on fresh pages and much on used ones, and which it gets is up to the allocator.
+// Held memory may grow more than allocated memory, because it counts touched pages. A frame may use
+// only the beginning of a table. Then the table holds little memory on fresh pages and much on used
+// ones, and the allocator decides which pages it gets.
 constexpr double most_held_growth_percent = 5;
 
 struct Look {
@@ -58,7 +59,7 @@ std::vector<Look> make_looks() {
     looks.push_back({"spine", {.method = Method::spine}});
     looks.push_back({"item-buffer", {.method = Method::item_buffer}});
     looks.push_back({"opengl", {.method = Method::opengl}});
-    for (Look& look : looks) look.options.steady = false; // equal frames, whatever came before
+    for (Look& look : looks) look.options.steady = false; // frames must not depend on earlier ones
     return looks;
 }
 
@@ -68,22 +69,22 @@ std::uint64_t hash(const std::vector<std::uint8_t>& pixels) {
     return value;
 }
 
-/// So that the system counts what the program holds: by default the allocator
-/// keeps large blocks that were freed wherever something small stands behind them, and the kernel
-/// gives memory in pages of 2 MiB.
+/// Lets the system count only memory that the program holds. By default the allocator keeps large
+/// freed blocks that have something small behind them, and the kernel gives memory in pages of 2
+/// MiB.
 void keep_no_free_memory() {
-    mallopt(M_MMAP_THRESHOLD, 128 * 1024); // fixed: it grows with what is freed otherwise
+    mallopt(M_MMAP_THRESHOLD, 128 * 1024); // fixed, because otherwise it grows with freed blocks
     prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
 }
 
-/// What the system counts, in KiB, without what is free but kept for later: also what never went
-/// through the allocator, such as code that a driver builds.
+/// The memory that the system counts, in KiB, without free memory that is kept for later. It
+/// includes memory from elsewhere than the allocator, such as code that a driver builds.
 long held_memory() {
     malloc_trim(0);
     return test::held_memory();
 }
 
-/// What was asked of the allocator and not given back, by all threads, in KiB.
+/// The memory that all threads have allocated and not freed, in KiB.
 long allocated_memory() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<long>((info.uordblks + info.hblkhd) / 1024);
@@ -102,7 +103,7 @@ class Soak {
         renderer_.set_lines(lines_[0]);
     }
 
-    /// Draws one frame; false if it is not the picture that it was before.
+    /// Draws one frame. Returns false if its picture has changed.
     bool draw(int frame) {
         const int change = frame / frames_per_change;
         const auto look = static_cast<std::size_t>(change) % looks_.size();
@@ -111,8 +112,8 @@ class Soak {
         if (frame % frames_per_change == 0) {
             renderer_.set_lines(lines_[scene]);
         }
-        // Rarely: PoCL 3.1 keeps about a KiB of every program that is built, and each change builds
-        // some twenty.
+        // Changes rarely, because PoCL 3.1 keeps about a KiB of every program that is built, and
+        // each change builds some twenty.
         if (shared != shared_) renderer_.set_device({.interop = shared ? "host-pointer" : "copy"});
         shared_ = shared;
         const int angle = frame % angles;
@@ -129,7 +130,7 @@ class Soak {
     }
 
     std::size_t pictures() const { return pictures_.size(); }
-    /// Frames until all that changes has changed.
+    /// The number of frames until all combinations were drawn.
     int period() const {
         return frames_per_change * static_cast<int>(looks_.size() * scenes_.size()) * 2;
     }
@@ -146,12 +147,12 @@ class Soak {
 
 struct Sample {
     long allocated, held, gl, opencl; ///< KiB, KiB, objects, references
-    double frame;                     ///< median since the last, milliseconds of all threads' time
+    double frame;                     ///< median since the last sample, ms of all threads
 };
 
-/// By how many percent the least memory of the last half of the samples is more than the least of
-/// the first half. What drivers free late comes and goes; what leaks is in the least, too. The
-/// first sample of all still has things to load.
+/// The growth in percent from the least memory of the first half of the samples to that of the
+/// second half. Memory that drivers free late comes and goes, but leaks are in the least values,
+/// too. The first sample does not count, because things are still loaded after it.
 double growth_of(const std::vector<Sample>& samples, long Sample::*memory) {
     const auto half = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
     const auto least = [&](auto first, auto last) {
@@ -163,7 +164,7 @@ double growth_of(const std::vector<Sample>& samples, long Sample::*memory) {
 }
 
 bool is_flat(const std::vector<Sample>& samples) {
-    // A sanitizer has an allocator of its own, which keeps what is freed to find who still uses it.
+    // A sanitizer's allocator keeps freed memory to find code that still uses it.
     if (reader::sanitized) return true;
     return growth_of(samples, &Sample::allocated) <= most_allocated_growth_percent &&
            growth_of(samples, &Sample::held) <= most_held_growth_percent;
@@ -174,7 +175,7 @@ int run(int least_frames, const char* layer) {
     test::hook_gl();
     Soak soak;
     const int period = soak.period(); // every sample is taken in the same state
-    // Three samples in each half: the first of all still has things to load.
+    // Three samples in each half, although the first of all does not count.
     const int rounds = std::max(6, (least_frames + period - 1) / period);
     std::vector<Sample> samples;
     std::vector<double> times;
@@ -195,7 +196,7 @@ int run(int least_frames, const char* layer) {
                   << s.gl << "   " << s.opencl << "   " << s.frame << std::endl;
     };
     for (int i = 0; i < rounds; ++i) draw_round();
-    // Memory settles late where a machine is busy. What leaks goes on growing.
+    // On a busy machine memory settles late. A leak goes on growing.
     for (int i = rounds; i < 4 * rounds && !is_flat(samples); ++i) draw_round();
     const auto half = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
     const bool objects_flat = std::all_of(half, samples.end(), [&](const Sample& s) {

@@ -35,7 +35,7 @@ testing::AssertionResult all_close(const std::vector<T>& a, const std::vector<T>
     return testing::AssertionSuccess();
 }
 
-/// As seen from a step aside, under a pixel for most of the picture.
+/// The camera moved to the side, by less than a pixel for most of the picture.
 Camera nudged(Camera camera) {
     camera.projection[2][0] += 0.7F / static_cast<float>(camera.size.x);
     camera.projection[2][1] += 0.4F / static_cast<float>(camera.size.y);
@@ -49,7 +49,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         const FrameOracles oracles{lines};
         FrameStages cpp{compute::make_cpp_device(), lines};
         FrameStages device{GetParam().make(), lines};
-        // `./run test` gathers these lines: on which devices the stages ran.
+        // `./run test` collects these lines about the devices on which the stages ran.
         std::cout << "stages of " << scene << " run on " << device.device().description() << '\n';
         const std::vector<Cluster> clusters =
             build_clusters(lines.vertices, lines.triangles, 64).clusters;
@@ -82,7 +82,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
             EXPECT_TRUE(equal(expected.lengths, seen.lengths));
             for (std::size_t i = 0; i < expected.counts.size(); ++i) {
                 samples[cull_hidden ? 1 : 0] += expected.counts[i];
-                if (expected.counts[i] == 0) continue; // perhaps not written
+                if (expected.counts[i] == 0) continue; // may not be written
                 ASSERT_TRUE(close(expected.clipped[i], seen.clipped[i])) << "segment " << i;
             }
         }
@@ -141,13 +141,13 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         compare_effects(oracles, device, camera, expected);
     }
 
-    /// The first try of a frame whose atlas has to grow: strokes that overshoot run on over
-    /// segments that it has no room for.
+    /// Imitates the first try of a frame whose atlas has to grow. Overshooting strokes go on over
+    /// segments that have no room in the atlas.
     static void compare_with_a_small_atlas(const FrameOracles& oracles, FrameStages& cpp,
                                            FrameStages& device, const Camera& camera,
                                            FrameState state) {
         cpp.compact(camera, state);
-        if (state.runs.empty()) return; // all that is visible lies beyond
+        if (state.runs.empty()) return; // all visible parts lie beyond the room
         state = compare_filter(oracles, device, camera, state);
         EXPECT_TRUE(std::ranges::all_of(state.runs, [&](const lineatlas::Run& run) {
             return (run.flags & LA_RUN_SOLID) != 0 ||
@@ -159,7 +159,7 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         EXPECT_TRUE(all_close(state.weights, seen.weights));
     }
 
-    /// Returns what results.
+    /// Returns the filtered state.
     static FrameState compare_filter(const FrameOracles& oracles, FrameStages& device,
                                      const Camera& camera, const FrameState& state) {
         FrameState filtered = state, seen = state;
@@ -182,7 +182,8 @@ class StagesTest : public testing::TestWithParam<TestDevice> {
         FrameState without_gaps = expected;
         without_gaps.cuts.clear();
         compare_filter(oracles, device, camera, expected);
-        // With gaps perhaps nothing that is hidden becomes visible: there overshoots end.
+        // Without gaps, because overshoots end at gaps, and then perhaps no hidden part becomes
+        // visible.
         const FrameState filtered = compare_filter(oracles, device, camera, without_gaps);
         EXPECT_FALSE(equal(filtered.alpha, expected.alpha)) << "nothing was changed";
 

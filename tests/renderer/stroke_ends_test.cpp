@@ -1,4 +1,4 @@
-// Where strokes end (§4.5): overshoot, halos, what is filled and dropped.
+// Ends of strokes (§4.5): overshoot, halos, filled holes and dropped runs.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,7 +10,7 @@ namespace lineatlas::test::strokes {
 
 namespace {
 
-/// Scenes once as they are and once where hidden segments are culled.
+/// Checks scenes once as they are, and once with culling of hidden segments.
 template <class Make, class Check>
 void culled_or_not(Make&& make, Check&& check) {
     for (const bool culled : {false, true}) {
@@ -39,7 +39,7 @@ TEST_P(Strokes, OvershootMakesEveryEndLonger) {
             const double free = length_of(scene.lines[1]);
             expect_strokes(drawing.of(scene.lines[1]), {{-12, free + 12}});
             expect_strokes(drawing.of(scene.lines[2]), {{-12, 20 + 12}, {65 - 12, 212 + 12}});
-            for (const lineatlas::Run& run : drawing.runs) { // what it says of its stroke
+            for (const lineatlas::Run& run : drawing.runs) { // the run's data about its stroke
                 bool found = false;
                 for (const Polyline& line : scene.lines) {
                     for (const Span& s : drawing.of(line)) {
@@ -88,12 +88,13 @@ TEST_P(Strokes, OvershootGoesRoundALoop) {
         ASSERT_EQ(strokes.size(), 1U);
         double from = (at + 40) / 360.0 * length - 12;
         if (from >= length) from -= length;
-        // Either may be counted from the loop's other end.
+        // Either place may be counted from the other end of the loop.
         const double off = std::remainder(strokes[0].from - from, length);
         EXPECT_NEAR(off, 0, 1);
         EXPECT_NEAR(strokes[0].to - strokes[0].from, length * 320 / 360 + 24, 2);
 
-        // With gaps of 4 pixels on either side of the sector's edges: nothing shows behind it.
+        // With gaps of 4 pixels on either side of the sector's edges nothing shows behind the
+        // sector.
         FrameOptions options{.lines = mask_of(LineKind::file) | mask_of(LineKind::boundary)};
         options.style.filter = {.overshoot = 12, .halo = 3};
         double drawn = 0;
@@ -104,7 +105,7 @@ TEST_P(Strokes, OvershootGoesRoundALoop) {
 
 TEST_P(Strokes, OvershootStopsInTheMiddleOfWhatIsHidden) {
     Scene scene = behind_a_box();
-    const Drawing drawing = draw(scene, {.overshoot = 60}); // more than half of what is hidden
+    const Drawing drawing = draw(scene, {.overshoot = 60}); // more than half of the hidden part
     expect_strokes(drawing.of(scene.lines[0]), {{-60, 280.5 + 60}});
 }
 
@@ -205,7 +206,7 @@ TEST_P(Strokes, ACrumbBetweenHalosIsDropped) {
     scene.line({{60.3F, 200.2F, 0}, {340.3F, 200.2F, 0}});
     scene.line({{180.3F, 60.1F, front}, {180.3F, 340.1F, front}});
     scene.line({{200.3F, 60.1F, front}, {200.3F, 340.1F, front}});
-    scene.line({{334.3F, 60.1F, front}, {334.3F, 340.1F, front}}); // leaves 2 pixels
+    scene.line({{334.3F, 60.1F, front}, {334.3F, 340.1F, front}}); // this leaves 2 pixels
     const auto strokes = [&](float drop) {
         return draw(scene, {.drop_runs = drop, .halo = 3}).of(scene.lines[0]);
     };
@@ -252,7 +253,7 @@ TEST_P(Strokes, ShortHolesAreClosedAndShortRunsDropped) {
         expect_strokes(hole({.fill_holes = 4}), {{0, at}, {at + 5, 260}});
         expect_strokes(run({.drop_runs = 6}), {{0, at - 40}, {at + 45, 260}});
         expect_strokes(run({.drop_runs = 4}), {{0, at - 40}, {at, at + 5}, {at + 45, 260}});
-        // In this order: what is filled is not short.
+        // Holes are filled before short runs are dropped, so a filled run is not short.
         expect_strokes(hole({.fill_holes = 6, .drop_runs = 120}), {{0, 260}});
     }
 }
@@ -281,7 +282,7 @@ TEST_P(Strokes, NothingLeaksIntoTheNextPath) {
     const auto grown = both({.overshoot = 12});
     expect_strokes(grown[0], {{-12, 190 + 12}});
     expect_strokes(grown[1], {{10 - 12, 220 + 12}});
-    scene.box({83, 60}, {275, 90}); // leaves 3 pixels of the first one
+    scene.box({83, 60}, {275, 90}); // this leaves 3 pixels of the first side
     const auto dropped = both({.drop_runs = 6, .overshoot = 12});
     expect_strokes(dropped[0], {});
     expect_strokes(dropped[1], {{10 - 12, 220 + 12}});

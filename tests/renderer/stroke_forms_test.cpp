@@ -1,5 +1,4 @@
-// The two forms of `strokes` against each other: kernels draw the picture that GL does, but for
-// rounding.
+// The two forms of `strokes` compared. Kernels and GL draw the same picture, except for rounding.
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +131,7 @@ TEST_P(StrokeForms, DrawTheSamePicture) {
             const Picture by_gl = draw(r, view, options, StageForm::raster);
             const Picture by_kernels = draw(r, view, options, StageForm::compute);
             ASSERT_GT(drawn_values(by_gl), 3000U);
-            EXPECT_NE(by_gl, by_kernels); // else both are one form
+            EXPECT_NE(by_gl, by_kernels); // else both are the same form
             const double beyond = share_beyond(by_gl, by_kernels, 2);
             EXPECT_LE(beyond, 1e-4);
             std::cout << scene << ' ' << look.name << ": " << 100 * beyond
@@ -169,7 +168,7 @@ TEST_P(StrokeForms, WhatKernelsDoNotKnowIsDrawnByGl) {
         EXPECT_EQ(draw(r, view, options, StageForm::raster),
                   draw(r, view, options, StageForm::compute));
     }
-    // Nor pictures finer than coverage is.
+    // Pictures finer than coverage are drawn alike, too.
     EXPECT_EQ(draw(r, view, {}, StageForm::raster, 16), draw(r, view, {}, StageForm::compute, 16));
 }
 

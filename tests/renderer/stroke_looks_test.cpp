@@ -1,4 +1,4 @@
-// How strokes look: caps, profiles, dashes, hidden lines, focus, density, transparency.
+// Looks of strokes: caps, profiles, dashes, hidden lines, focus, density, transparency.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,7 +24,7 @@ TEST_P(Strokes, CapsEndWhereTheyShould) {
     EXPECT_NEAR(butt.row(200, 200, 300), 300 - 250.6, 0.6);
     EXPECT_NEAR(butt.row(200, 20, 100), 100 - 60.2, 0.6);
     EXPECT_NEAR(butt.row(200, 300, 380), 340.7 - 300, 0.6);
-    // Where no effect needs whole strokes, visible runs fade out.
+    // If no effect needs whole strokes, visible runs fade out.
     const Drawing plain = pen(Cap::butt, Cap::butt, 0);
     EXPECT_NEAR(plain.row(200, 100, 200), 150.3 - 100, 2);
     EXPECT_NEAR(plain.row(200, 20, 100), 100 - 60.2, 0.6);
@@ -93,7 +93,7 @@ TEST_P(Strokes, HiddenLinesAreDrawnWithTheirPen) {
     options.style.pen = {.width = 4, .color = {1, 0, 0}};
     options.style.hidden_pen = {.mark = "solid", .width = 4, .color = {0, 0, 1}};
     Scene scene = behind_a_box();
-    scene.line({{200.2F, 60, 100}, {200.2F, 340, 100}}); // crosses before what is hidden
+    scene.line({{200.2F, 60, 100}, {200.2F, 340, 100}}); // crosses in front of the hidden part
     scene.crowd();
     options.cull_hidden = false;
     const Drawing kept = draw(scene, options);
@@ -164,7 +164,7 @@ TEST_P(Strokes, NoLineNearAFocusIsLostWithThoseFarAway) {
         options.style.focus.point = in_scene ? glm::vec3{200, 200, 0} : glm::vec3{0.5F, 0.5F, 0};
         options.style.focus.opacity = 0; // lines may be left out
         const Drawing without = draw(scene, options);
-        options.style.focus.opacity = 1e-9F; // all are drawn, though they cannot be seen
+        options.style.focus.opacity = 1e-9F; // all lines are drawn although they cannot be seen
         const Drawing with = draw(scene, options);
         EXPECT_TRUE(equal(without.pixels, with.pixels));
         EXPECT_GT(without.row(200, 0, side), 20);

@@ -72,7 +72,7 @@ std::vector<Span> drawn_of(const LineSet& set, const Runs& runs, const Polyline&
         else
             strokes.push_back(piece);
     }
-    // A loop's first and last piece may be one.
+    // The first and the last piece of a loop may be one piece.
     if (line.front() == line.back() && strokes.size() > 1 && strokes.front().from < 0.1 &&
         strokes.back().to > length_of(line) - 0.1) {
         strokes.back().to += strokes.front().to;
@@ -95,7 +95,7 @@ void expect_strokes(const std::vector<Span>& seen, const std::vector<Span>& expe
 }
 
 Drawing Strokes::draw(const Scene& scene, FrameOptions options, const Camera& camera) {
-    // No turn is too sharp for a path to go on.
+    // Paths go on around every turn.
     Drawing drawing{extract_lines(scene.mesh, {.chain_angle = chain_angle_}), {}, {}};
     renderer_.set_lines(drawing.set);
     canvas_.clear(glm::vec4{1});

@@ -1,5 +1,5 @@
-// Small drawings with known answers (§4.5), through the whole renderer: OpenCL and plain C++,
-// raster and compute atlas. A unit is a pixel.
+// Small drawings with known answers (§4.5) by the whole renderer: with OpenCL and plain C++, and
+// with the raster and the compute atlas. A unit is a pixel.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ using Runs = std::vector<Run>; // testing::Test has a Run of its own
 using Polyline = std::vector<glm::vec3>;
 
 inline constexpr int side = 400;
-inline constexpr float front = 50; // depth of what hides lines; they lie at 0
+inline constexpr float front = 50; // depth of sheets that hide lines; the lines lie at 0
 
 inline Camera pixel_camera(glm::vec2 shift = {0, 0}) {
     Camera camera;
@@ -34,7 +34,7 @@ struct Scene {
     Mesh mesh;
     std::vector<Polyline> lines{};
 
-    /// A loop where the last point is the first.
+    /// Adds a line. It is a loop if its last point is its first.
     void line(const Polyline& points) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.positions.insert(mesh.positions.end(), points.begin(), points.end());
@@ -43,7 +43,7 @@ struct Scene {
         mesh.polylines.push_back(indices);
         lines.push_back(points);
     }
-    /// Facing the eye, with corners in order around it.
+    /// Adds a sheet that faces the eye. corners: in order around it.
     void sheet(const std::array<glm::vec2, 4>& corners, float z = front) {
         const auto a = static_cast<std::uint32_t>(mesh.positions.size());
         for (const glm::vec2 corner : corners) mesh.positions.emplace_back(corner, z);
@@ -53,11 +53,11 @@ struct Scene {
     void box(glm::vec2 low, glm::vec2 high, float z = front) {
         sheet({low, {high.x, low.y}, high, {low.x, high.y}}, z);
     }
-    /// So many hidden segments in a corner that hidden ones are culled.
+    /// Adds so many hidden segments in a corner that the renderer culls hidden segments.
     void crowd();
 };
 
-/// Hidden from 150.3 to 250.6 of x.
+/// A line that is hidden from x = 150.3 to 250.6.
 Scene behind_a_box();
 
 /// A span of a polyline, pixels from its start.
@@ -70,7 +70,7 @@ Polyline circle(int count, float radius);
 
 float length_of(const Polyline& line);
 
-/// What is drawn of a polyline, from the places of the runs alone; touching pieces are one.
+/// The drawn spans of a polyline, from the places of the runs alone. Touching pieces are one span.
 std::vector<Span> drawn_of(const LineSet& set, const Runs& runs, const Polyline& line);
 
 void expect_strokes(const std::vector<Span>& seen, const std::vector<Span>& expected,
@@ -82,7 +82,7 @@ struct Drawing {
     std::vector<std::uint8_t> pixels;
 
     std::vector<Span> of(const Polyline& line) const { return drawn_of(set, runs, line); }
-    /// 0 white to 1 black; y from below.
+    /// The darkness of a pixel from 0 (white) to 1 (black); y from the bottom.
     double darkness(int x, int y) const {
         const auto at = (static_cast<std::size_t>(side - 1 - y) * side + std::size_t(x)) * 4;
         return 1 - pixels[at] / 255.0;

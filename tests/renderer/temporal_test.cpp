@@ -1,4 +1,4 @@
-// Visibility averaged over frames: less noise in slow motion, nothing else.
+// Visibility averaged over frames has less noise in slow motion, and no other change.
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ namespace {
 
 class Temporal : public testing::Test {
   protected:
-    /// The scene seen from its path's start, with the picture moved aside by so many pixels.
+    /// The camera at the start of the scene's path, with the picture moved to the side by `pixels`.
     Camera camera(double pixels) const {
         Camera result = make_camera(scene_.view(0), canvas_.size(), scene_lines("house").bounds);
         result.projection[2][0] += static_cast<float>(2 * pixels / canvas_.size().x);
@@ -32,14 +32,14 @@ class Temporal : public testing::Test {
         result.set_lines(scene_lines("house"));
         return result;
     }
-    /// Mean change of visibility from frame to frame while the picture moves aside.
+    /// The mean change of visibility from frame to frame while the picture moves to the side.
     double mean_change(bool steady) {
         Renderer r = renderer();
         Renderer::Samples before = draw(r, camera(0), steady);
         double sum = 0, count = 0;
         for (int i = 1; i <= 12; ++i) {
             const Renderer::Samples now = draw(r, camera(0.37 * i), steady);
-            if (now.offsets == before.offsets) { // the picture only moves: samples are the same
+            if (now.offsets == before.offsets) { // the picture only moves, so samples are the same
                 for (std::size_t j = 0; j < now.alpha.size(); ++j) {
                     sum += std::abs(int{now.alpha[j]} - int{before.alpha[j]});
                     ++count;
@@ -91,7 +91,7 @@ TEST_F(Temporal, ReachesTheStillPictureSoonAfterMotionEnds) {
     EXPECT_EQ(compare_bytes(settled.alpha, still.alpha, 2).beyond, 0U);
 }
 
-/// Tubes all over the picture, many of which pass through each other, each an object.
+/// Tubes all over the picture. Each is an object, and many of them intersect.
 LineSet tubes(int count) {
     Random random{7};
     Mesh all;

@@ -1,4 +1,4 @@
-// Pictures drawn by tiles against the same drawn in one piece.
+// Pictures drawn by tiles compared with pictures drawn in one piece.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ namespace {
 
 using Picture = std::vector<std::uint8_t>;
 
-/// RGBA pixels as one number each, for counting pixels, not values.
+/// The share of pixels that differ. It counts pixels, not their values.
 double share_of_pixels(const Picture& a, const Picture& b) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -155,7 +155,7 @@ TEST_P(Tiles, AreForTheMethodsAtlasAndExactAlone) {
 INSTANTIATE_TEST_SUITE_P(Compute, Tiles, testing::Values("opencl", "cpp"),
                          [](const auto& info) { return info.param; });
 
-/// Large pictures, with the depth at twice that just within what GL can draw.
+/// Large pictures. Their depth has twice as many texels a side, just within the limits of GL.
 class LargeTiles : public Tiles {};
 
 TEST_P(LargeTiles, MakeTheSamePicture) {
@@ -169,8 +169,8 @@ TEST_P(LargeTiles, MakeTheSamePicture) {
     }
 }
 
-/// Of a model with thousands of lines that are hidden by a hair, the last bits of depth decide
-/// some: these may be anywhere, but not along the borders of tiles.
+/// In a model with thousands of barely hidden lines the last bits of depth decide some pixels. Such
+/// pixels may be anywhere, but must not gather along the borders of tiles.
 TEST_P(LargeTiles, DifferNowhereMoreThanElsewhere) {
     constexpr int tile_size = 300, seam = 3; // pixels on either side
     Renderer r = renderer("ship");
@@ -189,7 +189,7 @@ TEST_P(LargeTiles, DifferNowhereMoreThanElsewhere) {
             if (std::min(to_x, to_y) < seam) ++at_seams;
         }
     }
-    const double area = 4.0 * seam / tile_size; // of the seams
+    const double area = 4.0 * seam / tile_size; // the share of the picture that seams cover
     EXPECT_LE(at_seams, 3 * area * static_cast<double>(different) + 10);
     EXPECT_LE(static_cast<double>(different), 1e-3 * static_cast<double>(a.size() / 4));
 }

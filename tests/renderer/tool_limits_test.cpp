@@ -1,4 +1,4 @@
-// The tool on devices that are too small: what it draws nevertheless, and what it says.
+// The tool on devices that are too small: its pictures and its messages.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ struct ToolRun {
     std::string said, file;
 };
 
-/// The tool with limits of the layer, as variables: what it says and draws.
+/// Runs the tool with limits of the layer as variables. Returns its messages and its drawing.
 ToolRun run_tool(const std::string& limits, const std::string& arguments,
                  const std::string& extension = ".png") {
     const std::string picture = std::filesystem::temp_directory_path() /
@@ -95,7 +95,7 @@ TEST(LimitsOfTheTool, ArePassedByChunksWithNoGlToo) {
     std::filesystem::remove(rings);
 }
 
-/// 31 MB of depth that the device has no room for, in one buffer or many.
+/// The device has no room for 31 MB of depth, in one buffer or in several.
 TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
     const std::string exact = "--scene clevis --size 1600x1200", atlas = exact + " --method atlas";
     for (const auto& [bytes, large] :
@@ -113,8 +113,8 @@ TEST(LimitsOfTheTool, OfMemoryLeadToTilesByThemselves) {
         EXPECT_EQ(std::ranges::count(tiles.said, '\n'), 2) << tiles.said;
         EXPECT_TRUE(tiles.file == run_tool("", large + " --tile " + side).file);
     }
-    // Without depth there is room, for paths too; ends of others are found in the depth of the
-    // whole.
+    // Without depth there is room, for paths too. By the atlas, the ends of paths need the depth of
+    // the whole picture.
     EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=9000000", exact + " --density 0").said, "");
     EXPECT_EQ(run_tool("LINEATLAS_TEST_MEMORY=9000000", exact, ".svg").said, "");
     const ToolRun path = run_tool("LINEATLAS_TEST_MEMORY=2000000", atlas, ".svg");

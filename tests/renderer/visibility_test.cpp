@@ -1,5 +1,5 @@
-// Lines whose visibility is known by hand, through the whole renderer: raster and compute atlas,
-// high and low quality, perspective and parallel projection.
+// Lines with visible parts that are known by hand, tested with the whole renderer: with the raster
+// and the compute atlas, high and low quality, perspective and parallel projection.
 
 #include <algorithm>
 #include <array>
@@ -27,14 +27,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is seen of a segment nearest to one of the spans where it should be.
+/// The visible part of a segment that is nearest to one of the expected spans.
 struct Seen {
     double length = 0; ///< pixels
-    double moment = 0; ///< of that, about the start of the segment
+    double moment = 0; ///< moment of the visible part about the start of the segment
 };
 
-/// One per span; `length` of the segment in pixels. What is seen although no span is expected
-/// comes alone.
+/// One part per expected span, or a single part if none is expected. length: of the segment, in
+/// pixels.
 std::vector<Seen> seen_of(const Renderer::Samples& samples, std::uint32_t segment, double length,
                           const std::vector<Span>& expected) {
     const std::uint32_t begin = samples.offsets[segment];
@@ -65,7 +65,7 @@ struct Setting {
                 .lines = all_line_kinds & ~mask_of(LineKind::silhouette),
                 .forms = {.atlas = form}};
     }
-    /// A single probe says only whether a sample of two pixels is visible.
+    /// A single probe only tells whether a sample of two pixels is visible.
     double tolerance() const { return high ? 1 : 2; }
 };
 
@@ -78,11 +78,12 @@ class Visibility : public testing::Test {
         return renderer.read_samples();
     }
 
-    /// How far, in pixels, what is seen of a case is from the answer; says where if `say`.
+    /// The largest error of a case in pixels. Prints the places of errors if `say`.
     double error(Renderer& renderer, const Case& known_case, const Setting& setting, bool say) {
         const Camera camera = known_case.camera(setting.perspective);
         const Known known = known_case.make(setting.perspective, camera);
-        // A material for each face: where two of one lie in a plane, no line is seen.
+        // Every face has its own material. No line shows between two faces of one material in a
+        // plane.
         Mesh mesh = known.mesh;
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             mesh.groups.push_back({.object = "", .material = std::to_string(i)});
@@ -114,7 +115,7 @@ class Visibility : public testing::Test {
             const bool same = p == answer.p && q == answer.q;
             const bool turned = p == answer.q && q == answer.p;
             if (!same && !turned) continue;
-            // In the picture; of no answer is more than one end outside.
+            // The length within the picture. No answer has more than one end outside.
             const double whole = length_px(camera, p, q);
             double end = 0;
             for (const Span& s : answer.visible) end = std::max(end, s.to);
@@ -137,7 +138,8 @@ class Visibility : public testing::Test {
         return 0;
     }
 
-    /// Of lengths, and of the middles of what is not too short to have one.
+    /// The largest difference between lengths, and between the middles of parts that are not too
+    /// short.
     static double difference(const std::vector<Span>& expected, const std::vector<Seen>& seen) {
         if (expected.empty()) return seen[0].length;
         double worst = 0;
@@ -191,7 +193,7 @@ Mesh sphere() {
 }
 
 TEST_P(KnownVisibility, OfTheOutlineOfASphere) {
-    // A circle; pieces of it as long as a sample, none of them without a stroke.
+    // The silhouette is a circle. Every piece of it as long as a sample must have a stroke.
     const Camera camera = front_camera(setting().perspective);
     const LineSet lines = extract_lines(sphere(), {.lines = mask_of(LineKind::silhouette)});
     FrameOptions options = setting().options();
@@ -235,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(All, KnownVisibility,
                                           testing::Bool()),
                          setting_name);
 
-/// Sources in which a text is replaced, in use until the end of its life.
+/// Replaces a text in the sources while this object lives.
 class Planted {
   public:
     Planted(const std::string& folder, const char* variable, const std::string& from,
@@ -274,7 +276,7 @@ TEST_F(Visibility, ABiasOfTwentyPixelsIsFound) {
         for (const bool high : {false, true}) {
             const Setting setting{true, form, high};
             EXPECT_GT(error(renderer, known_cases().back(), setting, false), 100) << high;
-            // Other lines are far behind what hides them.
+            // Other lines are far behind the surfaces that hide them.
             EXPECT_LE(error(renderer, known_cases().front(), setting, false), setting.tolerance())
                 << high;
         }

@@ -1,4 +1,4 @@
-// Lines are the same, bit by bit, however many threads find them.
+// Any number of threads finds the same lines, bit by bit.
 
 #include <cstring>
 #include <string>

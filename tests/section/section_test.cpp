@@ -35,7 +35,7 @@ Section cut(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal, Hatching hatc
     return cut_mesh(mesh, std::vector{plane(point, normal)}, hatching);
 }
 
-/// Another mesh beside what is there.
+/// Adds another mesh to a mesh.
 void add(Mesh& mesh, const Mesh& other) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
@@ -62,7 +62,7 @@ std::vector<std::vector<glm::vec3>> polylines(const Mesh& mesh, PolylineKind kin
     return found;
 }
 
-/// Area of what faces this way in the plane.
+/// The area of faces in the plane that look this way.
 double face_area(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal) {
     double area = 0;
     for (const glm::uvec3 t : mesh.triangles) {
@@ -75,7 +75,7 @@ double face_area(const Mesh& mesh, glm::dvec3 point, glm::dvec3 normal) {
 }
 
 std::size_t open_edges(const Mesh& mesh) {
-    // With an angle given cracks stay as they are.
+    // With a given angle cracks stay.
     const LineSet lines =
         extract_lines(mesh, {.lines = mask_of(LineKind::boundary), .crease = 0.5F});
     return lines.segments.size();
@@ -104,15 +104,16 @@ TEST(Sections, LinesAreOfTheirOwnKinds) {
     const auto count = [&](LineKind kind) {
         return lines.kind_counts[static_cast<std::size_t>(kind)];
     };
-    EXPECT_EQ(count(LineKind::section), 8U); // sides, and where their diagonals were cut
+    // 4 sides, each in two parts because its diagonal was cut.
+    EXPECT_EQ(count(LineKind::section), 8U);
     EXPECT_GT(count(LineKind::hatching), 20U);
     EXPECT_EQ(count(LineKind::crease), 8U);
     EXPECT_EQ(count(LineKind::boundary), 0U);
     for (const Segment& segment : lines.segments) {
         if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_SECTION) continue;
-        EXPECT_NE(segment.face_a, LA_NO_FACE); // they know what they are edges of
+        EXPECT_NE(segment.face_a, LA_NO_FACE); // the lines know their faces
         EXPECT_NE(segment.face_b, LA_NO_FACE);
-        EXPECT_TRUE(segment.tag & LA_TAG_CLOSED); // one way around its corners
+        EXPECT_TRUE(segment.tag & LA_TAG_CLOSED); // a closed path around the corners
     }
 }
 
@@ -149,7 +150,7 @@ TEST(Sections, NormalsOfTheSurfaceAreCutToo) {
             ++of_cut;
             continue;
         }
-        // Between two corners a normal is that of the chord, near that of the circle.
+        // Between two corners the normal is that of the chord. It is near that of the circle.
         EXPECT_NEAR(glm::dot(normal, glm::normalize(glm::vec3{place.x, 0, place.z})), 1, 2e-3);
         ++round;
     }
@@ -173,20 +174,21 @@ TEST(Sections, AnyDirection) {
 }
 
 TEST(Sections, ThroughCornersAndAlongFaces) {
-    // Through four corners of the cube and their edges, and through one corner alone.
+    // The planes go through four corners of the cube and their edges, or through one corner alone.
     for (const glm::dvec3 normal : {glm::dvec3{1, 1, 0}, {1, 0, -1}, {1, 1, 1}}) {
         const Section half = cut(cube(), {0, 0, 0}, normal);
         EXPECT_EQ(open_edges(half.mesh), 0U);
         EXPECT_NEAR(volume(half.mesh), 4, 1e-5);
     }
-    // In its own upper face: what closes it lies there.
+    // The plane lies in the cube's upper face, and so does the face that closes the cube.
     const Section along = cut(cube(), {0, 0, 1}, {0, 0, 1});
     EXPECT_EQ(open_edges(along.mesh), 0U);
     EXPECT_NEAR(volume(along.mesh), 8, 1e-6);
     EXPECT_FALSE(polylines(along.mesh, PolylineKind::hatching).empty());
 }
 
-/// Edges with an odd number of triangles: none where all is closed, even of what meets in edges.
+/// The number of edges with an odd number of triangles. It is 0 for closed bodies, even if they
+/// meet in edges.
 std::size_t odd_edges(const Mesh& mesh) {
     using Corner = std::array<float, 3>;
     std::map<std::pair<Corner, Corner>, int> counts;
@@ -200,7 +202,8 @@ std::size_t odd_edges(const Mesh& mesh) {
         std::ranges::count_if(counts, [](const auto& entry) { return entry.second % 2 == 1; }));
 }
 
-/// Blocks of a grid, closed together: corners, edges and faces lie where planes of the grid go.
+/// Blocks of a grid, which are closed together. Their corners, edges and faces lie in planes of the
+/// grid.
 Mesh blocks(test::Random& random, int size) {
     std::vector<bool> solid;
     for (int i = 0; i < size * size * size; ++i) solid.push_back(random.below(5) != 0);
@@ -254,14 +257,15 @@ TEST(Sections, WhatIsClosedClosesWhereverThePlaneGoes) {
             }
             EXPECT_NEAR(left, volume(mesh), 1e-3) << "round " << round;
             ++cuts;
-        } catch (const UsageError&) { // along the outside
+        } catch (const UsageError&) { // the plane lies along the outside
         }
     }
     EXPECT_GT(cuts, 40);
 }
 
 TEST(Sections, CornersOfOnePlaceButForTheirRounding) {
-    // As exporters compute them: each triangle has its own corners, a hair off those beside it.
+    // As from exporters, every triangle has its own corners, which differ slightly from those of
+    // its neighbours.
     test::Random random{31};
     Mesh mesh = test::with_own_corners(sphere(3));
     for (glm::vec3& position : mesh.positions) position += 2e-7F * random.point(1);
@@ -271,7 +275,7 @@ TEST(Sections, CornersOfOnePlaceButForTheirRounding) {
         EXPECT_EQ(half.notes, std::vector<std::string>{});
         EXPECT_EQ(open_edges(half.mesh), 0U);
     }
-    // Through corners of which some lie on the plane, and others nearly do.
+    // Some corners lie on the plane, and others nearly do.
     for (int i = 0; i < 30; ++i) {
         const Section half = cut(mesh, {0, 0, 2e-7 * i}, {0, 0, 1});
         EXPECT_EQ(half.notes, std::vector<std::string>{}) << i;
@@ -289,8 +293,8 @@ TEST(Sections, ATriangleThatStandsTwiceIsCutOnce) {
 
 TEST(Sections, HollowsAndHolesStayEmpty) {
     Mesh shell = placed(cube(), {0, 0, 0}, 1);
-    add(shell, turned_over(placed(cube(), {0.2F, 0, 0}, 0.5F))); // a hollow
-    add(shell, placed(cube(), {0.2F, 0.1F, 0}, 0.2F));           // and something in it
+    add(shell, turned_over(placed(cube(), {0.2F, 0, 0}, 0.5F))); // a cavity
+    add(shell, placed(cube(), {0.2F, 0.1F, 0}, 0.2F));           // and a body in the cavity
     const Section half = cut(shell, {0, 0, 0.05}, {0, 0, 1}, {.spacing = 0.1});
     EXPECT_NEAR(face_area(half.mesh, {0, 0, 0.05}, {0, 0, 1}), 4 - 1 + 0.16, 1e-5);
     EXPECT_EQ(open_edges(half.mesh), 0U);
@@ -303,14 +307,14 @@ TEST(Sections, HollowsAndHolesStayEmpty) {
             EXPECT_TRUE(!in_hollow || in_piece) << at.x << " " << at.y;
         }
     }
-    // The same of a model that is inside out.
+    // The same for a model that is inside out.
     EXPECT_NEAR(
         face_area(cut(turned_over(shell), {0, 0, 0.05}, {0, 0, 1}).mesh, {0, 0, 0.05}, {0, 0, 1}),
         3.16, 1e-5);
 }
 
 TEST(Sections, ManyHoles) {
-    // A plate with 36 holes: the outlines of its section are one way and 36 ways within it.
+    // A plate with 36 holes. The outlines of its section are one path and 36 paths within that one.
     Mesh plate = placed(cube(), {0, 0, 0}, 10);
     test::Random random{3};
     double holes = 0;
@@ -344,12 +348,12 @@ TEST(Sections, HatchingIsTurnedFromPartToPart) {
         EXPECT_NEAR(std::fmod(angle + 360, 180), left ? 30 : 120, 0.01);
         EXPECT_EQ(line[0].z, 0);
     }
-    // 0.2 apart: of the cube's section, whose width that way is 2 (cos 30 + sin 30).
+    // The lines are 0.2 apart. Across them the cube's section is 2 (cos 30 + sin 30) wide.
     const auto lines = polylines(half.mesh, PolylineKind::hatching);
     const auto of_left =
         std::ranges::count_if(lines, [](const auto& line) { return line[0].x < 1.5F; });
     EXPECT_NEAR(static_cast<double>(of_left), 2 * (0.866 + 0.5) / 0.2, 1.5);
-    // Objects with a name are one part, however many pieces they have.
+    // An object with a name is one part, even if it has several pieces.
     two.groups = {{"pair", ""}};
     two.triangle_group.assign(two.triangles.size(), 0);
     for (const auto& line :
@@ -362,7 +366,7 @@ TEST(Sections, HatchingIsTurnedFromPartToPart) {
 }
 
 TEST(Sections, AQuarterIsTwoPlanes) {
-    // What the second plane cuts has a face of the first.
+    // The second plane cuts a body that has a face of the first cut.
     const std::vector planes{plane({0, 0, 0}, {0, 0, 1}), plane({0, 0, 0}, {1, 0, 0})};
     const Section quarter = cut_mesh(cube(), planes, {.spacing = 0.25});
     EXPECT_NEAR(volume(quarter.mesh), 2, 1e-6);
@@ -374,7 +378,7 @@ TEST(Sections, AQuarterIsTwoPlanes) {
 }
 
 TEST(Sections, ObjectsThatTouchAndPiecesOfOneSurface) {
-    // Two cubes, one upon the other, with the corners of one where those of the other are.
+    // Two cubes, one upon the other, with common corners.
     Mesh two = cube();
     add(two, placed(cube(), {0, 2, 0}, 1));
     two.groups = {{"lower", ""}, {"upper", ""}};
@@ -384,7 +388,7 @@ TEST(Sections, ObjectsThatTouchAndPiecesOfOneSurface) {
     EXPECT_TRUE(half.notes.empty());
     EXPECT_EQ(polylines(half.mesh, PolylineKind::section).size(), 2U);
     EXPECT_NEAR(face_area(half.mesh, {0, 0, 0}, {0, 0, 1}), 8, 1e-6);
-    // One cube, every side of which has a name of its own.
+    // One cube with another name for every side.
     Mesh sides = cube();
     sides.triangle_group.clear();
     for (std::uint32_t i = 0; i < sides.triangles.size(); ++i) {
@@ -410,11 +414,11 @@ TEST(Sections, WhatDoesNotCloseIsSaidAndStaysOpen) {
     EXPECT_NEAR(face_area(half.mesh, {0, 0.25, 0}, {0, 1, 0}), 4, 1e-6);
     for (const auto& line : polylines(half.mesh, PolylineKind::hatching))
         EXPECT_GT(line[0].x, 3.9F);
-    EXPECT_GT(polylines(half.mesh, PolylineKind::section).size(), 10U); // outlined all the same
+    EXPECT_GT(polylines(half.mesh, PolylineKind::section).size(), 10U); // it is outlined, too
 }
 
 TEST(Sections, CornersOfTheirOwnAndBothWindings) {
-    const Mesh soup = test::with_own_corners(sphere(3)); // as STL has them
+    const Mesh soup = test::with_own_corners(sphere(3)); // as in STL files
     EXPECT_TRUE(cut(soup, {0.1, 0, 0}, {1, 0, 0}).notes.empty());
     EXPECT_EQ(open_edges(cut(soup, {0.1, 0, 0}, {1, 0, 0}).mesh), 0U);
     test::Random random{2};
@@ -478,7 +482,7 @@ TEST(Sections, PlanesAsText) {
     }
 }
 
-/// Hatching of a cut, by the size that lines across it have on the way.
+/// The density of hatching depends on the size of the cut, not on other bodies.
 TEST(Section, HatchingIsAsDenseAsTheCutIsLarge) {
     const auto lines = [](float size, const Mesh& beside) {
         Mesh mesh = test::cube();

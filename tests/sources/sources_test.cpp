@@ -30,7 +30,7 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
     return count;
 }
 
-/// Both variables unset, and a folder of its own to point them at.
+/// Unsets both variables and makes a folder that they may name.
 class Sources : public testing::Test {
   protected:
     void SetUp() override {
@@ -124,11 +124,11 @@ TEST_F(Sources, ShadersAreReadFromTheirOwnFolder) {
 TEST_F(Sources, AFileIsPastedOnce) {
     file("a.cl", "#include \"b.h\"\n#include \"c.h\"\n#include \"b.h\"\na\n");
     file("b.h", "#include \"c.h\"\nb\n");
-    file("c.h", "#include \"a.cl\"\n#include \"c.h\"\nc\n"); // round in circles
+    file("c.h", "#include \"a.cl\"\n#include \"c.h\"\nc\n"); // the file includes itself
     use_folder();
     std::string text = kernel_source("a.cl");
     for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#')) {
-        text.erase(at, text.find('\n', at) + 1 - at); // where it comes from
+        text.erase(at, text.find('\n', at) + 1 - at); // the line that names its file
     }
     EXPECT_EQ(text, "c\nb\na\n");
 }

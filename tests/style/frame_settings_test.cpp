@@ -1,4 +1,5 @@
-// The table of frame settings: what is taken, what is refused, what follows from the quality.
+// The table of frame settings: accepted values, refused ones, and values that follow from the
+// quality.
 
 #include "style/frame_settings.hpp"
 
@@ -12,7 +13,7 @@
 namespace lineatlas {
 namespace {
 
-/// A value of each key that is not its default, as on the command line.
+/// Per key a value other than the default, as on the command line.
 const std::map<std::string, std::string> samples{{"lines", "crease,silhouette"},
                                                  {"method", "item-buffer"},
                                                  {"quality", "low"},

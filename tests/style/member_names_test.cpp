@@ -1,4 +1,4 @@
-// What the library says to programs, and what people are told.
+// Messages of the library to programs, and the same messages for people.
 
 #include "style/member_names.hpp"
 

@@ -1,4 +1,4 @@
-// Style files and the table of settings: what is taken, what is refused and in which words.
+// Style files and the table of settings: accepted values, refused ones, and the words of refusals.
 
 #include "lineatlas/style_files.hpp"
 
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace lineatlas {
 namespace {
 
-/// What every key of `style` holds, as TOML.
+/// The value of every key of `style`, as TOML.
 std::map<std::string, std::string> all_values(const Style& style) {
     std::map<std::string, std::string> values;
     for (const Setting& setting : settings()) {
@@ -35,7 +35,7 @@ std::map<std::string, std::string> all_values(const Style& style) {
     return values;
 }
 
-/// A value of each key that is not its default, as on the command line.
+/// Per key a value other than the default, as on the command line.
 const std::map<std::string, std::string>& samples() {
     static const std::map<std::string, std::string> values{
         {"pen", "charcoal"},
@@ -112,7 +112,7 @@ class StyleFiles : public testing::Test {
         return path(name);
     }
 
-    /// Loading the text fails with a FileError that holds all of `words` in one line.
+    /// Expects that loading the text fails with a FileError whose single line holds all of `words`.
     void expect_refused(const std::string& text, const std::vector<std::string>& words) const {
         const std::string name = file("bad.toml", text);
         try {
@@ -279,7 +279,7 @@ TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
     }
 }
 
-/// What a program may set a member to and no style file can.
+/// A value of a member that a program can set but no style file can.
 struct Misuse {
     std::string key;
     std::function<void(Style&)> set;
@@ -547,7 +547,7 @@ TEST_F(StyleFiles, FilesThatIncludeEachOtherTenfoldEnd) {
 }
 
 TEST_F(StyleFiles, AFileThatTheSystemMakesUpIsReadNoFurtherThanItsSize) {
-    // Its size is 0, but there is more to be read.
+    // The size of this file is 0, but it can be read.
     EXPECT_EQ(write_style(load_style("/proc/self/limits"), ""),
               write_style(load_style(file("empty.toml", "")), ""));
 }
@@ -588,7 +588,7 @@ TEST_F(StyleFiles, PensByRule) {
     EXPECT_TRUE(style.pens[plain + 2].match.hidden);
     const std::string text = write_style(style);
     EXPECT_EQ(write_style(load_style(file("again.toml", text))), text);
-    // An empty list takes away what is included.
+    // An empty list removes the pens of the included style.
     EXPECT_TRUE(load_style(file("none.toml", "include = \"plain\"\npens = []\n")).pens.empty());
 }
 
@@ -622,7 +622,7 @@ TEST_F(StyleFiles, TheStylesThatShip) {
     }
     EXPECT_EQ(names, (std::vector<std::string>{"blueprint", "charcoal", "haloed", "ink", "pencil",
                                                "plain", "technical"}));
-    // The same from their files.
+    // The styles are the same when they are read from their files.
     const fs::path folder = fs::path{LINEATLAS_SOURCE_DIR} / "styles";
     for (const std::string& name : names) {
         EXPECT_EQ(all_values(load_style((folder / (name + ".toml")).string())),
@@ -642,7 +642,7 @@ TEST_F(StyleFiles, AFolderTakesThePlaceOfTheStylesThatShip) {
     EXPECT_THROW(list_styles(), FileError);
 }
 
-/// `lineatlas styles --keys` prints what the page must hold.
+/// The page must hold the output of `lineatlas styles --keys`.
 TEST(Settings, TheUsersPageHasTheTable) {
     std::ifstream file{fs::path{LINEATLAS_SOURCE_DIR} / "docs/styles.md"};
     std::ostringstream page;

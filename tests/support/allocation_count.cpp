@@ -15,7 +15,7 @@ void* operator new(std::size_t bytes) {
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
     throw std::bad_alloc{};
 }
-// Replaced too, since that of a sanitizer would not come here.
+// Replaced too, because a sanitizer's own one would not call the operator above.
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
     if (counts) ++allocations;
     return std::malloc(bytes == 0 ? 1 : bytes);

@@ -4,8 +4,8 @@
 
 namespace lineatlas::test {
 
-/// Counts what this thread allocates by `new`, from its making until stop(). That is this program's
-/// own code and what it was compiled with; drivers allocate by other ways.
+/// Counts the allocations of this thread by `new`, from the object's construction until stop().
+/// Only this program and code compiled into it allocate so; drivers use other ways.
 class AllocationCount {
   public:
     AllocationCount();

@@ -43,8 +43,8 @@ void name(const TDF_Label& label, const std::string& text) {
 
 Handle(TDocStd_Document) document_of(const std::vector<NamedShape>& shapes) {
     const Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
-    XCAFDoc_DocumentTool::SetLengthUnit(document,
-                                        0.001); // metres; Open CASCADE 7.8 takes what is set
+    // Metres; Open CASCADE 7.8 uses the unit that was set.
+    XCAFDoc_DocumentTool::SetLengthUnit(document, 0.001);
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
     const TDF_Label assembly = tool->NewShape();
@@ -69,7 +69,7 @@ std::string write_step(const std::vector<NamedShape>& shapes, const char* prefix
     writer.SetNameMode(true);
     if (!writer.Transfer(document, STEPControl_AsIs, prefix))
         throw std::runtime_error("Open CASCADE does not write the shapes");
-    // The writer has no stream: its model has.
+    // The writer can't write to a stream, but its model can.
     std::ostringstream text;
     const auto model = writer.ChangeWriter().Model();
     APIHeaderSection_MakeHeader header(model);
@@ -93,7 +93,7 @@ std::string in_inches(std::string step) {
     const std::string millimetre = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )";
     const std::string inch =
         "( CONVERSION_BASED_UNIT('INCH',#900001) LENGTH_UNIT() NAMED_UNIT(#900002) )";
-    std::size_t count = 0; // each shape has its own
+    std::size_t count = 0; // every shape has its own unit
     for (std::size_t at = 0; (at = step.find(millimetre, at)) != std::string::npos; ++count)
         step.replace(at, millimetre.size(), inch);
     const std::string begin = "DATA;\n";

@@ -19,10 +19,10 @@ struct NamedShape {
 /// An assembly as a STEP file, written by Open CASCADE.
 std::string to_step(const std::vector<NamedShape>& shapes);
 
-/// The file of the assembly alone: its parts are in others, whose names begin with `prefix`.
+/// The file of the assembly alone. Its parts are in other files, whose names begin with `prefix`.
 std::string to_step_apart(const std::vector<NamedShape>& shapes, const char* prefix);
 
-/// The same file, whose lengths are inches. (Open CASCADE has had several ways to write these.)
+/// The same file with lengths in inches. (Versions of Open CASCADE write inches in several ways.)
 std::string in_inches(std::string step);
 
 /// The same as an IGES file, of surfaces that share no edges (`solids` false) or of solids.
@@ -30,8 +30,8 @@ std::string to_iges(const std::vector<NamedShape>& shapes, bool solids, const ch
 
 std::string to_brep(const TopoDS_Shape& shape);
 
-/// A square plate, 1 thick, through which `side` times `side` round holes of radius 0.3 go, one a
-/// unit of its area.
+/// A square plate, 1 thick, with `side` times `side` round through holes of radius 0.3, one in
+/// every unit of its area.
 TopoDS_Shape perforated_plate(int side);
 
 } // namespace lineatlas::test

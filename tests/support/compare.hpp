@@ -16,7 +16,7 @@
 // Comparers for stages and pictures. Each is itself tested with planted errors (compare_test.cpp).
 namespace lineatlas::test {
 
-/// The first index at which two arrays of integers differ; their lengths count too.
+/// The first index at which two arrays of integers differ. Arrays of different length differ.
 template <class T>
 std::optional<std::size_t> first_difference(std::span<const T> a, std::span<const T> b) {
     const std::size_t common = std::min(a.size(), b.size());
@@ -42,23 +42,23 @@ testing::AssertionResult equal(const std::vector<T>& a, const std::vector<T>& b)
 /// Equal within `relative` of the larger magnitude; below `absolute` all values are equal.
 bool close(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
 
-/// Whether two arrays have the same bytes; their lengths count too.
+/// True if two arrays have the same length and bytes.
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
     return std::ranges::equal(std::as_bytes(std::span{a}), std::as_bytes(std::span{b}));
 }
 
-/// Whether two clipped segments agree: floats by `close`, the packed faces to the last kept bit.
+/// True if two clipped segments agree: floats by `close`, the packed faces to the last kept bit.
 bool close(const ClippedSegment& a, const ClippedSegment& b);
-/// Whether two runs agree: integers exactly, floats within a thousandth of a pixel.
+/// True if two runs agree: integers exactly, floats within a thousandth of a pixel.
 bool close(const Run& a, const Run& b);
-/// Whether two runs have the same gaps, within a thousandth of a pixel.
+/// True if two runs have the same gaps, within a thousandth of a pixel.
 bool close(const RunCuts& a, const RunCuts& b);
 
-/// Whether two intervals agree: integers exactly, floats within a thousandth of a pixel.
+/// True if two intervals agree: integers exactly, floats within a thousandth of a pixel.
 bool close(const Interval& a, const Interval& b);
 
-/// How two arrays of 8-bit values differ.
+/// The difference between two arrays of 8-bit values.
 struct ByteDifference {
     std::size_t count = 0;  ///< values compared
     std::size_t beyond = 0; ///< values that differ by more than the allowed step

@@ -9,8 +9,8 @@
 
 namespace lineatlas::test {
 
-/// A context of the compatibility profile, as programs get that ask for no profile. Current from
-/// the start, until it is destroyed.
+/// A context of the compatibility profile: the one that programs get if they ask for no profile.
+/// The context is current from its construction to its destruction.
 class CompatibilityContext {
   public:
     CompatibilityContext() {

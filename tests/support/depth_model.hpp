@@ -7,16 +7,16 @@
 
 namespace lineatlas::test {
 
-/// A part of a depth buffer to be drawn by kernels.
+/// The part of a depth buffer that kernels are to draw.
 struct DepthWanted {
     glm::mat4 clip_from_world{1};
     glm::ivec2 whole_size{0, 0}; ///< texels
-    TexelRectangle part;         ///< of these
-    bool numbered = false;       ///< with the triangle that each texel shows
-    bool texels = true;          ///< with the depth itself
+    TexelRectangle part;         ///< in texels of the whole
+    bool numbered = false;       ///< also draws the number of the triangle in each texel
+    bool texels = true;          ///< draws the depth itself
 };
 
-/// What `depth` leaves.
+/// The result of `depth`.
 struct DrawnDepth {
     std::vector<float> texels, tiles;
     std::vector<std::uint32_t> seen;    ///< per cluster
@@ -33,10 +33,10 @@ class DepthModel {
     std::size_t clusters() const { return count_; }
     /// Draws into memory that held something else.
     DrawnDepth draw(compute::Stages& stages, const DepthWanted& wanted);
-    /// The same into the given images, of which `blank` says what is known.
+    /// The same into the given images. `blank` says which of their parts are known to be blank.
     void draw_into(compute::Stages& stages, const DepthWanted& wanted, compute::Buffer& depth,
                    compute::Buffer& numbers, compute::Buffer& blank);
-    /// All of a buffer.
+    /// Draws the whole of a buffer.
     DrawnDepth draw(compute::Stages& stages, const glm::mat4& clip_from_world, glm::ivec2 size) {
         return draw(stages, {clip_from_world, size, {{0, 0}, size}});
     }
@@ -47,7 +47,8 @@ class DepthModel {
 
     compute::Device& device_;
     std::uint32_t count_;
-    std::vector<std::uint32_t> order_; ///< of the triangles that `depth` numbers
+    /// Places in the line set of the triangles that `depth` numbers.
+    std::vector<std::uint32_t> order_;
     std::unique_ptr<compute::Buffer> vertices_, clusters_, meshlets_, vertex_list_, corners_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace lineatlas::test {
 
-/// A variable of the environment with another value, or none, while this lives. Then it is as it
-/// was found.
+/// Gives a variable of the environment another value, or none. The destructor restores the old
+/// value.
 class EnvironmentVariable {
   public:
     EnvironmentVariable(std::string name, const std::optional<std::string>& value)

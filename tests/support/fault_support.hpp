@@ -1,4 +1,4 @@
-// What tests of failing and of small devices share.
+// Shared by tests of failing devices and of small devices.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace lineatlas::test {
 using Picture = std::vector<std::uint8_t>;
 constexpr glm::ivec2 fault_size{160, 120};
 
-/// The faults of the layer, which the loader must have loaded: before the first OpenCL call.
+/// The faults of the layer. The loader must have loaded the layer before the first OpenCL call.
 inline OpenClFaults& opencl_faults() {
     static OpenClFaults* faults = [] {
         setenv("OPENCL_LAYERS", LINEATLAS_FAULT_LAYER, 1);
@@ -37,7 +37,7 @@ inline OpenClFaults& opencl_faults() {
     return *faults;
 }
 
-/// Everything that a frame can have, so that every stage and table is made.
+/// Options with all effects, so that every stage runs and every table is made.
 inline FrameOptions all_effects(Method method) {
     FrameOptions options{.method = method};
     if (method != Method::atlas) return options;
@@ -52,7 +52,7 @@ inline FrameOptions all_effects(Method method) {
     return options;
 }
 
-/// A renderer on devices that do as they are told; its parameter is the sharing mode.
+/// A renderer on devices whose faults the test chooses. The parameter is the sharing mode.
 class FaultFixture : public testing::TestWithParam<std::string> {
   protected:
     FaultFixture() {

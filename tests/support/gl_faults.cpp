@@ -25,7 +25,7 @@ bool fails() {
     return true;
 }
 
-/// Whether GL as small as wanted refuses memory for something.
+/// True if a GL with the limits of GlFaults has no memory for this.
 bool is_beyond(GLsizei width, GLsizei height, long bytes) {
     const GlFaults& faults = gl_faults();
     const bool too_long = faults.largest_side != 0 && std::max(width, height) > faults.largest_side;
@@ -54,9 +54,10 @@ long bytes_per_texel(GLenum format) {
     }
 }
 
-/// libepoxy calls GL through variables. Before its first call one holds a function that finds the
-/// real one, if it still holds that very function, and calls whatever it holds then. So during the
-/// first call the variable has what it had without a hook.
+/// libepoxy calls GL through variables. Before its first call a variable holds a resolver. If the
+/// variable still holds the resolver when that runs, the resolver replaces it by the real function.
+/// Then it calls the function in the variable. So during the first call the variable holds the same
+/// as without a hook.
 template <auto slot>
 struct Hook;
 
@@ -71,7 +72,7 @@ struct Hook<slot> {
     static Result call(Arguments... arguments) {
         if (is_found) return original(arguments...);
         struct Unhooked {
-            std::scoped_lock<std::mutex> lock{mutex}; // threads begin together
+            std::scoped_lock<std::mutex> lock{mutex}; // threads may start at the same time
             Function hook = *slot;
             Unhooked() { *slot = original; }
             ~Unhooked() {

@@ -7,12 +7,12 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
-// A program of its own that draws models by GL: what the renderer is embedded in.
+// A program that draws models by GL and embeds the renderer.
 namespace lineatlas::test {
 
-/// How that program has set up its depth buffer.
+/// The setup of that program's depth buffer.
 struct DepthSetup {
-    std::string name; ///< letters, digits and _ alone, as GoogleTest wants it
+    std::string name; ///< only letters, digits and _, because GoogleTest demands it
     GLenum format = GL_DEPTH_COMPONENT32F;
     bool reversed = false, infinite = false;
     ClipControl clip{};
@@ -21,7 +21,7 @@ struct DepthSetup {
     int scale = 1;
 };
 
-/// The camera of a view from `near` to `far` by that setup.
+/// The camera with planes at `near` and `far` for this setup.
 Camera app_camera(const Camera& camera, float near, float far, const DepthSetup& setup);
 
 /// Distances of the planes of a symmetric perspective projection.
@@ -32,7 +32,7 @@ class AppScene {
   public:
     explicit AppScene(const LineSet& lines);
 
-    /// Draws the depth; leaves GL as its initial state has it.
+    /// Draws the depth. Leaves GL in its initial state.
     void draw_depth(const Camera& camera, const DepthSetup& setup);
     GLuint depth() const { return depth_.id(); }
 

@@ -57,7 +57,7 @@ constexpr Named capabilities[] = {
     NAMED(GL_CLIP_DISTANCE7),
 };
 
-/// With up to four values each.
+/// Each has up to four values.
 constexpr Named numbers[] = {
     NAMED(GL_CURRENT_PROGRAM),
     NAMED(GL_PROGRAM_PIPELINE_BINDING),
@@ -149,7 +149,7 @@ constexpr Named numbers[] = {
     NAMED(GL_UNPACK_COMPRESSED_BLOCK_SIZE),
 };
 
-/// In compatibility contexts.
+/// Only in compatibility contexts.
 constexpr Named removed_capabilities[] = {
     NAMED(GL_ALPHA_TEST),     NAMED(GL_AUTO_NORMAL),  NAMED(GL_COLOR_MATERIAL),
     NAMED(GL_COLOR_SUM),      NAMED(GL_FOG),          NAMED(GL_INDEX_LOGIC_OP),

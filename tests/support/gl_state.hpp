@@ -15,17 +15,17 @@ struct StateValue {
     bool operator==(const StateValue&) const = default;
 };
 
-/// All state of the current context that a program can set, as far as GL 4.5 tells; more than
-/// gl::StateGuard knows of. In a compatibility context also what OpenGL 3.1 has removed, but for
-/// matrices, lights and materials, which no call of the renderer comes near.
+/// All state of the current context that a program can set and read in GL 4.5: more than
+/// gl::StateGuard knows of. In a compatibility context also the state that OpenGL 3.1 has removed,
+/// except matrices, lights and materials, because no call of the renderer touches these.
 std::vector<StateValue> dump_state();
 
-/// What two dumps differ in, as text; empty if in nothing.
+/// The differences between two dumps, as text; empty if there are none.
 std::string differences(const std::vector<StateValue>& before,
                         const std::vector<StateValue>& after);
 
-/// Binds objects to everything that takes some, and sets all other state to odd values. They stay
-/// while it lives.
+/// Binds objects to all binding points and sets all other state to odd values. The objects live as
+/// long as it does.
 class OddState {
   public:
     OddState();

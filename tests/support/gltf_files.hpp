@@ -9,7 +9,7 @@
 
 namespace lineatlas::test {
 
-/// Bytes of numbers as a buffer has them, one after the other.
+/// The bytes of numbers one after the other, as in a buffer.
 class GltfBytes {
   public:
     template <class T>
@@ -34,7 +34,7 @@ std::vector<float> cube_corners();
 std::vector<std::uint16_t> cube_triangles();
 
 /// The JSON of a cube (accessor 0 positions, 1 indices) under `nodes`, `members` of the file added.
-/// Its 168 bytes of buffer are `uri`, or the GLB's own where that is empty.
+/// Its buffer of 168 bytes is `uri`, or the GLB's own if `uri` is empty.
 std::string cube_json(const std::string& nodes, const std::string& uri = {},
                       const std::string& members = {});
 std::string cube_bytes();

@@ -6,8 +6,8 @@
 
 namespace lineatlas::test {
 
-/// What this process holds, in KiB. Pages of files, such as the code of libraries, are left out:
-/// the system takes and gives them as it likes.
+/// The memory that this process holds, in KiB. Pages of files, such as the code of libraries, do
+/// not count, because the system loads and drops them as it likes.
 inline long held_memory() {
     std::ifstream status{"/proc/self/status"};
     long held = 0;

@@ -134,7 +134,7 @@ EarlyThread::EarlyThread()
       }) {}
 
 EarlyThread::~EarlyThread() {
-    thread_.detach(); // the process ends with it
+    thread_.detach(); // the thread ends with the process
 }
 
 std::vector<int> EarlyThread::errors(const Target& target) {

@@ -15,7 +15,7 @@ struct Target {
     int port;
 };
 
-/// Somebody who listens, at a port of this machine that is free.
+/// Listens at a free port of this machine.
 class Listener {
   public:
     Listener();
@@ -30,29 +30,29 @@ class Listener {
     int port_ = 0;
 };
 
-/// The weakest thing that refuses an attempt: limits, which every kernel has; Landlock; seccomp,
-/// which refuses all of them.
+/// The weakest protection that refuses an attempt: limits, which every kernel has; Landlock; or
+/// seccomp, which refuses all attempts.
 enum class By { limits, landlock, seccomp };
 
-/// What a hostile file that has taken over a parser would try with them.
+/// An attempt of a hostile file that has taken over a parser.
 struct Attempt {
     std::string_view name;
     By least;
-    int (*act)(const Target& target); ///< ends in -1 where it is refused
+    int (*act)(const Target& target); ///< returns -1 if it is refused
 
-    /// What it left in errno, or 0 if it was done.
+    /// Makes the attempt. Returns errno, or 0 if it succeeded.
     int error(const Target& target) const;
-    /// Where these two are, or are not.
+    /// True if the attempt is refused with these two protections on or off.
     bool is_refused(bool seccomp, bool landlock) const {
         return least == By::limits || seccomp || (least == By::landlock && landlock);
     }
 };
 
-/// The last one, where it is not refused, ends the program.
+/// All attempts. The last one ends the program if it is not refused.
 std::span<const Attempt> attempts();
 
-/// A thread that is there before its process is confined, as a library may start some when it is
-/// loaded.
+/// A thread that starts before its process is confined. Libraries may start such threads when they
+/// are loaded.
 class EarlyThread {
   public:
     EarlyThread();
@@ -60,7 +60,7 @@ class EarlyThread {
     EarlyThread(const EarlyThread&) = delete;
     EarlyThread& operator=(const EarlyThread&) = delete;
 
-    /// Attempt::error() of all attempts, made by that thread. Once.
+    /// Attempt::error() of all attempts, made by that thread. Call it once.
     std::vector<int> errors(const Target& target);
 
   private:

@@ -37,7 +37,7 @@ struct Ink {
         return false;
     }
 
-    /// Share of the dark pixels that are within one of dark ones there.
+    /// The share of the dark pixels that lie within one pixel of a dark pixel of the other picture.
     double share_near(const Ink& other) const {
         std::size_t count = 0, found = 0;
         for (int y = 0; y < size.y; ++y) {
@@ -51,7 +51,8 @@ struct Ink {
     }
 };
 
-/// Both show the same lines: this share of the dark pixels of each is within one of the other's.
+/// Expects that both pictures show the same lines: at least this share of the dark pixels of each
+/// lies within one pixel of dark pixels of the other.
 inline void expect_same_ink(const Ink& ours, const Ink& theirs, double least) {
     ASSERT_EQ(ours.size, theirs.size);
     EXPECT_GT(std::ranges::count(ours.dark, true), 1000);

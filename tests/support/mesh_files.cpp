@@ -15,7 +15,7 @@ std::string text_of(double number) {
     return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
-/// As text, the first one perhaps a lie.
+/// A coordinate as text; the first one may be a lie.
 std::string coordinate(const Model& model, std::size_t point, std::size_t axis, const Lies& lies) {
     const bool lie = point == 0 && axis == 0 && !lies.coordinate.empty();
     return lie ? lies.coordinate : text_of(model.points[point][axis]);
@@ -67,7 +67,7 @@ std::string off(const Model& model, const Lies& lies) {
            face_lines(model, lies);
 }
 
-/// Bytes of numbers, in either order.
+/// The bytes of numbers, in either byte order.
 class Bytes {
   public:
     explicit Bytes(bool big_endian = false) : big_endian_(big_endian) {}
@@ -90,7 +90,7 @@ class Bytes {
 double number(const std::string& text) {
     return std::strtod(text.c_str(), nullptr);
 }
-/// What is too large for it wraps around, as where it was written by mistake.
+/// Too large numbers wrap around, as in files that were written by mistake.
 std::uint32_t whole(const std::string& text) {
     return static_cast<std::uint32_t>(std::strtoll(text.c_str(), nullptr, 10));
 }

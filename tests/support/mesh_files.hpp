@@ -20,7 +20,7 @@ Model block_on_cube();
 /// The same, of triangles.
 Model triangles_of(const Model& model);
 
-/// What is written in place of the truth.
+/// Values that are written in place of the true ones.
 struct Lies {
     std::string vertices{}, faces{}; ///< counts, as text; empty: the truth
     std::string coordinate{};        ///< the first one
@@ -30,8 +30,8 @@ struct Lies {
 struct MeshType {
     std::string name, extension;
     bool binary = false;
-    bool counts = true; ///< says how many there are
-    bool exact = false; ///< has more digits than a float
+    bool counts = true; ///< the type tells the numbers of vertices and faces
+    bool exact = false; ///< the type has more digits than a float
     std::function<std::string(const Model&, const Lies&)> write;
 };
 

@@ -18,7 +18,7 @@ struct MovedTables {
     std::vector<std::uint32_t> ranges;
 };
 
-/// What the stages make of objects at other places, a third of which have jumped there.
+/// The tables after the stages have moved the objects. A third of the objects have jumped.
 MovedTables moved_on(compute::Stages& stages, const LineSet& lines,
                      const std::vector<glm::mat4>& transforms);
 

@@ -4,9 +4,9 @@
 
 namespace lineatlas::test {
 
-/// What a layer between the OpenCL loader and the drivers (OPENCL_LAYERS) implements; all else that
-/// the loader asks of it is opencl_layer_entry.cpp. `driver` stays; `table`, a copy of it, is what
-/// programs call.
+/// A layer between the OpenCL loader and the drivers (OPENCL_LAYERS) implements this function;
+/// opencl_layer_entry.cpp does all else that the loader asks for. `driver` does not change. `table`
+/// is a copy of it, and programs call that.
 void begin_layer(const cl_icd_dispatch& driver, cl_icd_dispatch& table);
 
 } // namespace lineatlas::test

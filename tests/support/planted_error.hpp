@@ -13,14 +13,15 @@
 
 namespace lineatlas::test {
 
-/// A copy of the kernels and shaders in which one piece of text is replaced, used while it lives.
+/// A copy of the kernels and shaders with one piece of text replaced. Programs use the copy while
+/// this object lives.
 class PlantedError {
   public:
     PlantedError(const std::string& file, const std::string& from, const std::string& to)
         : folder_(std::filesystem::temp_directory_path() /
                   ("lineatlas_planted_" + std::to_string(::getpid()))) {
         namespace fs = std::filesystem;
-        fs::remove_all(folder_); // of one that threw
+        fs::remove_all(folder_); // may be left by a constructor that threw
         fs::create_directories(folder_);
         for (const char* source : {"kernels", "shaders"}) {
             fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / source, folder_, fs::copy_options::recursive);

@@ -21,8 +21,8 @@ struct NamedCamera {
 /// the eye and across the eye plane.
 std::vector<NamedCamera> scene_cameras(const std::string& name, glm::ivec2 size = {320, 240});
 
-/// Of the large scenes one of these alone, of the ship from outside and of the office from inside:
-/// what large tables show, one view shows, and a frame of them takes its time.
+/// The same, but a single view of each large scene: the ship from outside and the office from
+/// inside. A frame of these takes long, and one view is enough for errors of large tables.
 std::vector<NamedCamera> few_scene_cameras(const std::string& name, glm::ivec2 size = {320, 240});
 
 } // namespace lineatlas::test

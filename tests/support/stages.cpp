@@ -48,7 +48,7 @@ FrameStages::FrameStages(std::unique_ptr<Device> device, const LineSet& lines,
       triangles_(to_device(*device_, lines.triangles)),
       segments_(to_device(*device_, lines.segments)),
       front_(to_device(*device_, std::vector<std::uint8_t>(triangle_count_))),
-      // Zeros where nothing is written, so that tables can be compared whole.
+      // Starts with zeros, so that whole tables can be compared.
       clipped_(to_device(*device_, std::vector<ClippedSegment>(n_))),
       offsets_(device_->allocate((n_ + 1) * sizeof(std::uint32_t))),
       arcs_(device_->allocate((n_ + 1) * sizeof(std::uint32_t))) {}
@@ -100,7 +100,7 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
                                         .occlusion = cull_hidden ? &occlusion : nullptr,
                                         .out = {*clipped_, *offsets_, *arcs_},
                                         .batches = batches ? &*batches : nullptr};
-    constexpr bool drops_hidden = false; // their lengths are looked at
+    constexpr bool drops_hidden = false; // tests look at the lengths of hidden segments
     if (batches) stages_.project_clip_batches(args, drops_hidden);
     stages_.project_clip(args);
     state.counts = read_back<std::uint32_t>(*device_, *offsets_, n_);
@@ -386,7 +386,7 @@ std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const Frame
                               .layer = 0,
                               .pitch = pixels});
     }
-    // Tiles in which nothing shows are left as they were.
+    // The stage does not write tiles in which nothing shows.
     std::vector<std::uint8_t> result = read_back<std::uint8_t>(*device_, *coverage, pixels);
     const auto shows = read_back<la_uint>(*device_, *shown, tiles.x * tiles.y);
     for (std::uint32_t i = 0; i < pixels; ++i) {

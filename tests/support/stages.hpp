@@ -31,8 +31,8 @@ struct StageSettings {
     int depth_scale = 2;
     std::uint32_t probes = 3;               ///< per axis
     std::uint32_t run_capacity = 1U << 20U; ///< room for runs and for intervals
-    int tile_pixels = 130;                  ///< of the tiled depth buffer
-    // What a style asks for; enough to change something in every scene.
+    int tile_pixels = 130;                  ///< tiles of the tiled depth buffer
+    // Values of a style that change something in every scene.
     float half_width = 1;
     StrokeFilter filter{.fill_holes = 4,
                         .drop_runs = 4,
@@ -43,19 +43,19 @@ struct StageSettings {
     Density density{.limit = 0.1F, .priority = {0.5F, 0.6F, 0.5F, 1, 1}};
     float far_limit = 0.5F;
 
-    /// Of `density`: beside the middle of the picture.
+    /// The focus of `density`, beside the middle of the picture.
     static glm::vec4 focus(glm::vec2 viewport) {
         return {0.4F * viewport.x, 0.6F * viewport.y, 30, 80};
     }
 };
 
-/// One pixel's width in window depth, times w: what may stand before a line.
+/// The tolerance before a line: one pixel's width in window depth, times w.
 float depth_tolerance(const Camera& camera);
 
-/// Samples that the state's atlas has room for: fewer than it needs where a test has cut it.
+/// The number of samples in the state's atlas. It is too small if a test has cut the atlas.
 std::uint32_t capacity_of(const FrameState& state);
 
-/// One device's buffers for a line set, and the stages one at a time.
+/// The buffers of one device for a line set. Runs the stages one at a time.
 class FrameStages {
   public:
     FrameStages(std::unique_ptr<compute::Device> device, const LineSet& lines,
@@ -66,10 +66,10 @@ class FrameStages {
 
     void pyramid(const Camera& camera, const std::vector<float>& depth, FrameState& state);
 
-    /// Against the pyramid of the last call.
+    /// Culls against the pyramid of the last call.
     std::vector<std::uint32_t> cull(const Camera& camera, const std::vector<Cluster>& clusters);
 
-    /// With the pyramid of the last call if `cull_hidden`.
+    /// Uses the pyramid of the last call if `cull_hidden`.
     void project(const Camera& camera, bool cull_hidden, FrameState& state);
 
     void scan(FrameState& state);
@@ -90,18 +90,18 @@ class FrameStages {
     /// Of the runs in `state`.
     void halo(const Camera& camera, FrameState& state);
 
-    /// Of the runs in `state`, and with its gaps if it has any.
+    /// Filters the runs in `state`, with its gaps if it has any.
     void filter(const Camera& camera, FrameState& state);
 
-    /// Of the runs in `state`, with a limit that hides some.
+    /// Thins the runs in `state`, with a limit that hides some.
     void density(const Camera& camera, FrameState& state);
 
-    /// The runs in `state` with two pens: the second draws what depth says is outline.
+    /// The runs in `state` with two pens. The second one draws outlines, which are told by depth.
     std::vector<Run> pens(const Camera& camera, const std::vector<float>& depth,
                           const FrameState& state);
 
-    /// How much the strokes of the runs in `state` cover of every pixel, in two pieces: dashed, and
-    /// thinned by the weights in `state`.
+    /// The coverage of every pixel by the strokes of the runs in `state`. The strokes are dashed,
+    /// thinned by the weights in `state`, and drawn in two pieces.
     std::vector<std::uint8_t> strokes(const Camera& camera, const FrameState& state);
 
   private:
@@ -116,7 +116,7 @@ class FrameStages {
 
     std::unique_ptr<compute::Device> device_;
     compute::Stages stages_;
-    compute::Batches batches_{stages_}; ///< of the segments, from the second project() on
+    compute::Batches batches_{stages_}; ///< batches of segments, used from the second project() on
     StageSettings settings_;
     std::uint32_t n_, triangle_count_;
     std::unique_ptr<compute::Buffer> vertices_, triangles_, segments_, front_, clipped_, offsets_,

@@ -6,7 +6,7 @@
 
 namespace lineatlas::test {
 
-/// A folder of its own, removed with all that is in it.
+/// A new folder. The destructor removes it with its content.
 class TemporaryFolder {
   public:
     TemporaryFolder() {

@@ -13,7 +13,7 @@
 
 namespace lineatlas::test {
 
-/// Numbers that are the same on every machine and in every run.
+/// Random numbers that are the same on every machine and in every run.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -25,7 +25,7 @@ class Random {
         return static_cast<std::uint32_t>(engine_() % limit);
     }
     bool coin() { return below(2) != 0; }
-    /// In a cube of half-width `reach` around the origin.
+    /// A point in a cube of half-width `reach` around the origin.
     glm::vec3 point(float reach);
     glm::vec3 direction();
     /// Any rotation, then a move by up to `reach` along each axis.
@@ -44,7 +44,7 @@ Mesh cylinder(std::uint32_t sides, bool capped); ///< radius 1, along y from -1 
 // Open.
 Mesh open_strip(std::uint32_t quads); ///< flat, one row of unit squares
 Mesh height_field(Random& random, std::uint32_t quads, float height); ///< quads x quads, rough
-Mesh two_sided_quad(); ///< both diagonals' halves once per side: 4 triangles over 2
+Mesh two_sided_quad(); ///< 4 triangles: both halves of the quad, once per side
 
 /// Two triangles bent by `angle` radians along the y axis; `flipped`: the second one's winding
 /// disagrees.
@@ -60,7 +60,8 @@ Mesh faces_on_an_edge(std::uint32_t faces);
 /// split at vertex 2 on the other, which is bent away by `angle`. Triangle 1 is the sliver.
 Mesh split_edge(float angle);
 
-/// Any triangles over few vertices: non-manifold edges, any winding, repeated corners and faces.
+/// Random triangles over few vertices, with non-manifold edges, any winding, repeated corners and
+/// repeated faces.
 Mesh random_soup(Random& random, std::uint32_t vertices, std::uint32_t triangles);
 
 // The same mesh, changed.

@@ -18,7 +18,8 @@ std::string to_zip(const std::vector<ZipPart>& parts);
 /// The same with files packed by deflate.
 std::string to_packed_zip(const std::vector<ZipPart>& parts);
 
-/// The list of types and the relation to the model that a 3MF package has beside its model.
+/// The parts of a 3MF package other than its model: the list of types and the relation to the
+/// model.
 std::vector<ZipPart> package_parts();
 /// A 3MF package of one model.
 std::string to_3mf(const std::string& model);

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// The tool as a user meets it.
+// Runs the tool as a user does.
 namespace lineatlas::test {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ class Tool : public testing::Test {
         return shell(LINEATLAS_TOOL " " + arguments + " 2>&1");
     }
 
-    /// What a command of the shell prints and ends with.
+    /// The output and the exit status of a shell command.
     static Result shell(const std::string& command) {
         FILE* pipe = ::popen(command.c_str(), "r");
         Result result{-1, {}};
@@ -59,7 +59,8 @@ class Tool : public testing::Test {
         return text.str();
     }
 
-    /// The command fails with `code`, says `words` in at most two lines and leaves no new file.
+    /// Expects that the command fails with `code`, prints `words` in at most two lines and leaves
+    /// no new file.
     void expect_refused(const std::string& arguments, int code, const std::string& words) {
         const auto files = [&] {
             return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{});

@@ -68,7 +68,7 @@ Cuts::Place Cuts::place(const Segment& segment, double share) const {
     const glm::dvec3 q{lines_.vertices[segment.q]};
     const glm::dvec4 clip_p = clip_from_world * glm::dvec4{p, 1};
     const glm::dvec4 clip_q = clip_from_world * glm::dvec4{q, 1};
-    // The share is one of the screen.
+    // The share is a share of the way on the screen.
     const double world_share = share * clip_p.w / (share * clip_p.w + (1 - share) * clip_q.w);
     const glm::dvec3 world = p + (q - p) * world_share;
     const glm::dvec4 clip = clip_from_world * glm::dvec4{world, 1};
@@ -137,7 +137,7 @@ std::vector<Part> parts_of(const std::vector<VectorPath>& paths) {
     return parts;
 }
 
-/// Where `part` runs along `other`: the span that lies beside it, if both of its ends are near.
+/// The span where `part` runs along `other`, if both ends of the span are near `other`.
 std::optional<Span> span_along(const Part& part, const Part& other) {
     constexpr double near = 0.25;
     constexpr double most_slope = 0.05;
@@ -206,7 +206,7 @@ std::map<Cell, std::vector<std::size_t>> grid_of(const std::vector<Part>& parts)
 
 double longest_overlap(const std::vector<VectorPath>& paths) {
     const std::vector<Part> parts = parts_of(paths);
-    // Per pair of paths, where the first runs along the second.
+    // Per pair of paths, the spans where the first runs along the second.
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Span>> spans;
     for (const auto& [cell, members] : grid_of(parts)) {
         for (const std::size_t i : members) {

@@ -14,13 +14,13 @@
 
 namespace lineatlas::test {
 
-/// A camera under which x and y of the model are pixels (y up) and z from 0 to 1 is the depth.
+/// A camera for which x and y of the model are pixels (y up) and z is the depth from 0 to 1.
 Camera flat_camera(glm::ivec2 size = {200, 100});
 
 /// A line set made by hand, path by path.
 class Lines {
   public:
-    /// A path through vertices; equal ones are one.
+    /// Adds a path through points. Equal points are one vertex.
     void add(LineKind kind, const std::vector<glm::vec3>& points, bool closed = false);
 
     LineSet set;
@@ -34,9 +34,10 @@ class Cuts {
   public:
     Cuts(const LineSet& lines, const Camera& camera);
 
-    /// A part of a segment; its ends have the kinds that fit: at 0 and 1 that of the path's vertex.
+    /// Adds a part of a segment. Its ends get fitting kinds: at 0 and 1 those of the path's
+    /// vertices.
     void add(std::uint32_t segment, float from, float to, bool visible);
-    /// Every segment whole and visible.
+    /// Adds every segment, whole and visible.
     void add_all();
 
     std::vector<Interval> intervals;
@@ -63,7 +64,7 @@ double longest_overlap(const std::vector<VectorPath>& paths);
 /// Length of all paths together.
 double total_length(const std::vector<VectorPath>& paths);
 
-/// Problems with what a path promises, one a line; empty if there are none.
+/// Promises about paths that the drawing breaks, one a line; empty if there are none.
 std::string flaws_of(const VectorDrawing& drawing);
 
 } // namespace lineatlas::test

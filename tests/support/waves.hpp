@@ -7,13 +7,13 @@
 #include "lineatlas/mesh.hpp"
 #include "test_meshes.hpp"
 
-// A surface that nobody designed, whose ridges and valleys are known.
+// An undesigned surface with known ridges and valleys.
 namespace lineatlas::test {
 
 constexpr float wave = 2 * std::numbers::pi_v<float>; ///< from crest to crest of y = height cos(x)
 
-/// How waves are meshed: squares of `edge`, whose corners are shifted by up to a quarter of it
-/// within the surface and by `noise` edges off it.
+/// The mesh of the waves: squares with sides of `edge`. Their corners are shifted by up to a
+/// quarter of `edge` within the surface and by `noise` edges off it.
 struct Waves {
     float edge = 0.3F;
     float noise = 0;

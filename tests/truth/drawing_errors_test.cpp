@@ -1,4 +1,4 @@
-// What is said of drawings whose errors are known.
+// The reported errors of drawings with known errors.
 
 #include "truth/drawing_errors.hpp"
 
@@ -36,7 +36,7 @@ class DrawingErrorsTest : public testing::Test {
         return DrawnPiece::unknown;
     }
 
-    /// As it is right; the panel's edge is drawn too.
+    /// The right drawing, including the panel's edge.
     std::vector<DrawnPiece> right() const {
         return {{{100, 150}, {200, 150}, segment(0.5F)},
                 {{100, 210}, {180, 210}, segment(-0.1F)},
@@ -68,15 +68,16 @@ TEST_F(DrawingErrorsTest, SeesWhatIsMissing) {
 }
 
 TEST_F(DrawingErrorsTest, OfALineOnlyWhatIsInThePictureCounts) {
-    // Every quarter of a pixel of all of it would take years.
+    // To test all of it at every quarter of a pixel would take years.
     const std::vector<DrawnPiece> drawn{{{-1e12, 60}, {1e12, 60}}, {{50, 1e12}, {50, 2e12}}};
     const DrawingErrors errors = compare_paths(truth_, drawn, 0.5);
-    EXPECT_NEAR(errors.drawn, truth_.size().x - 4, 0.5);            // without the picture's border
-    EXPECT_NEAR(errors.false_pixels(), truth_.size().x - 4 - 1, 1); // but where it meets the panel
+    // Except where it meets the panel.
+    EXPECT_NEAR(errors.drawn, truth_.size().x - 4, 0.5); // without the picture's border
+    EXPECT_NEAR(errors.false_pixels(), truth_.size().x - 4 - 1, 1);
 }
 
 TEST_F(DrawingErrorsTest, SeesWhatTheOldRuleExcused) {
-    // What stands within two pixels behind a panel, drawn.
+    // The drawing shows a part that is less than two pixels behind a panel.
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
     const DrawingErrors errors = compare_paths(truth_, drawn, 0.5);
@@ -86,7 +87,7 @@ TEST_F(DrawingErrorsTest, SeesWhatTheOldRuleExcused) {
     EXPECT_NEAR(strict.hidden, 100, 0.5);
     EXPECT_NEAR(strict.decided, 280, 1);
     EXPECT_NEAR(strict.unknown, 400, 0.01);
-    EXPECT_EQ(strict.surely_wrong_pixels(), 0); // not by 2.2 pixels
+    EXPECT_EQ(strict.surely_wrong_pixels(), 0); // it is not behind the panel by 2.2 pixels
 }
 
 class DrawingErrorsFarTest : public DrawingErrorsTest {
@@ -97,9 +98,9 @@ class DrawingErrorsFarTest : public DrawingErrorsTest {
 TEST_F(DrawingErrorsFarTest, SeesWhatIsSurelyWrong) {
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
-    // Seen from 10 units, the panel's edge does not move: it is in the middle.
+    // The panel's edge is in the middle, so that it does not move in a view from 10 units.
     EXPECT_NEAR(compare_strictly(truth_, drawn).surely_wrong_pixels(), 98.5, 0.6);
-    drawn[0].to.x = 201.2; // an end a little late is no more than that
+    drawn[0].to.x = 201.2; // an end that is slightly late is not surely wrong
     EXPECT_EQ(compare_strictly(truth_, drawn).surely_wrong_pixels(), 0);
     EXPECT_GT(compare_strictly(truth_, drawn).hidden, 0.5);
 }
@@ -107,7 +108,7 @@ TEST_F(DrawingErrorsFarTest, SeesWhatIsSurelyWrong) {
 TEST_F(DrawingErrorsTest, AVisibleLineBesideItExcusesNothingStrictly) {
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
-    drawn.push_back({{200, 150.4}, {300, 150.4}}); // as if of another line
+    drawn.push_back({{200, 150.4}, {300, 150.4}}); // as a part of another line
     EXPECT_NEAR(compare_strictly(truth_, drawn).hidden, 100, 0.5);
 }
 
@@ -145,7 +146,7 @@ TEST_F(DrawingErrorsTest, SeesFalseAndMissedInk) {
     EXPECT_EQ(missing.false_pixels(), 0);
     blacken(image, {100, 209}, {180, 211});
     EXPECT_EQ(compare_ink(truth_, image).missed_pixels(), 0);
-    // Every fourth pixel of what is hidden: a row of dots.
+    // Every fourth pixel of the hidden part: a row of dots.
     for (int x = 210; x < 300; x += 4) blacken(image, {x, 150}, {x + 1, 151});
     EXPECT_EQ(compare_ink(truth_, image).false_pixels(), 23);
     image.size = {400, 300};

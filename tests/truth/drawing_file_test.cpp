@@ -1,4 +1,4 @@
-// Drawings read back from files.
+// Drawings that are read from files.
 
 #include "truth/drawing_file.hpp"
 
@@ -33,7 +33,7 @@ class DrawingFileTest : public testing::Test {
         VectorPath closed = path({{10.25, 20}, {310.5, 20}, {310.5, 200.75}, {10.25, 20}});
         closed.closed = true;
         drawing_.paths = {path({{1, 1}, {600, 400}}, false), closed, path({{5, 5}, {5.5, 470}})};
-        // What is left out where lines are dense is there; what is hidden is hidden.
+        // The drawing has paths that are left out because lines are dense, and hidden paths.
         drawing_.paths.front().thinned = drawing_.paths.back().thinned = true;
     }
 
@@ -221,7 +221,7 @@ TEST(SvgPath, ArcsOfEllipsesAreToo) {
     }
 }
 
-/// A parabola, as cubics can be.
+/// The cubics are a parabola.
 TEST(SvgPath, CubicsAreChords) {
     for (const char* data : {"M0 0C1 0 2 3 3 9", "m0 0c1 0 2 3 3 9", "M1 1M0 0c1,0,2,3,3,9"}) {
         SCOPED_TRACE(data);

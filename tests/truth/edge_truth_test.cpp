@@ -1,4 +1,4 @@
-// Where lines are visible, on cases known by hand.
+// The visible parts of lines, in cases known by hand.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ using test::add_panel;
 using test::add_stroke;
 using test::front_camera;
 
-/// Pixels of the lines of some kinds.
+/// The lengths of the lines of some kinds, in pixels.
 struct Lengths {
     double visible = 0, hidden = 0, undecided = 0;
 };
@@ -51,12 +51,12 @@ TEST(EdgeTruth, ALineBehindABoxIsHiddenWhereTheBoxIs) {
     add_block(mesh, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
     add_stroke(mesh, {-1.503, 0.001, -1}, {1.497, 0.001, -1});
     const Lengths lengths = look(mesh, file);
-    // Seen from 10 units: the box's front is 9.5 away, the line 11.
+    // The eye is 10 units from the origin, 9.5 from the box's front and 11 from the line.
     const double scale = 100 * 10.0 / 11;
     const double covered = 1 / 9.5 * 11 * scale;
     EXPECT_NEAR(lengths.hidden, covered, 0.5);
     EXPECT_NEAR(lengths.visible, 3 * scale - covered, 0.5);
-    EXPECT_EQ(lengths.undecided, 0); // it crosses the box's edges at a right angle
+    EXPECT_EQ(lengths.undecided, 0); // the line crosses the box's edges at a right angle
 }
 
 TEST(EdgeTruth, AThinPlateHidesHoweverNearItIs) {
@@ -89,11 +89,12 @@ TEST(EdgeTruth, APostBehindAPanelIsHidden) {
     double hidden = 0;
     for (const EdgePoint& point : truth.points()) {
         const glm::vec3 p = lines.vertices[lines.segments[point.segment].p];
-        if (std::abs(p.x) > 0.5F) continue; // of the panel
+        if (std::abs(p.x) > 0.5F) continue; // a line of the panel
         EXPECT_EQ(point.visibility, Visibility::hidden) << point.at.x << ", " << point.at.y;
         hidden += static_cast<double>(point.pixels);
     }
-    EXPECT_GT(hidden, 2 * (180 + 20)); // of its front alone, where it touches the panel
+    // Of the post's front alone, where the post touches the panel.
+    EXPECT_GT(hidden, 2 * (180 + 20));
 }
 
 TEST(EdgeTruth, ABoxOnAFloorIsVisibleWhereItStands) {
@@ -130,7 +131,7 @@ TEST(EdgeTruth, CoincidentFacesDoNotHide) {
         if (in_front) add_panel(mesh, {-9, -9}, {9, 9}, 0);
         add_panel(mesh, {-0.5F, -0.5F}, {0.5F, 0.5F}, 0);
         if (!in_front) add_panel(mesh, {-9, -9}, {9, 9}, 0);
-        // Of another material: of one, no line would be seen there.
+        // The sheets have two materials, because with one no line would show there.
         mesh.groups = {{.object = "", .material = "a"}, {.object = "", .material = "b"}};
         mesh.triangle_group.assign(mesh.triangles.size(), 0);
         std::fill_n(mesh.triangle_group.begin() + (in_front ? 2 : 0), 2, 1U);
@@ -195,7 +196,7 @@ TEST(SmoothPatches, EndAtLinesAndWhereThreeFacesMeet) {
     }
     const std::vector<std::uint32_t> round = smooth_patches(extract_lines(test::open_tube(1, 48)));
     EXPECT_EQ(std::ranges::count(round, 0U), 96);
-    // A fin on a tube that is only bent: three faces share its edge.
+    // A fin on a smooth tube. Three faces share the edge of the fin.
     Mesh fin = test::open_tube(1, 48);
     fin.positions.emplace_back(3, 0, 0);
     fin.triangles.emplace_back(0, 1, 96);

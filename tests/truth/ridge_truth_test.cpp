@@ -1,4 +1,4 @@
-// Ridges and valleys as lines of a surface: rays and the exact method see the same of them.
+// Ridges and valleys as lines of a surface. Rays and the exact method find the same visible parts.
 
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ Pixels by_method(const LineSet& lines, const Camera& camera) {
     return pixels;
 }
 
-/// Seen across the crests, from so many degrees above the plane that they rise from.
+/// A camera that looks across the crests, this many degrees above their plane.
 Camera camera_above(const LineSet& lines, float degrees) {
     const float angle = degrees * std::numbers::pi_v<float> / 180;
     const glm::vec3 target{test::wave, 0, 6};
@@ -52,7 +52,7 @@ Camera camera_above(const LineSet& lines, float degrees) {
     return make_camera({.eye = eye, .target = target, .up = {0, 0, 1}}, {800, 600}, lines.bounds);
 }
 
-/// No creases, beside which there would be no ridge.
+/// Without creases, because near a crease there is no ridge.
 class RidgeTruth : public testing::Test {
   protected:
     LineSet lines_ = extract_lines(test::Waves{}.mesh(),

@@ -1,4 +1,4 @@
-// Cubic curves through points of smooth lines, and how they leave.
+// Cubic curves through points of smooth lines, and their form in files.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -49,7 +49,7 @@ TEST(CubicFitting, FollowsACurveThatGoesRound) {
         }
     }
     EXPECT_EQ(end, 120U);
-    // They go on in the direction in which they came, across the first point, too.
+    // Each curve continues in the direction of the one before, also across the first point.
     for (std::size_t i = 0; i < cubics.size(); ++i) {
         const FittedCubic &one = cubics[i], &next = cubics[(i + 1) % cubics.size()];
         const glm::dvec2 came = glm::normalize(points[one.last] - one.cubic.last_control);
@@ -88,7 +88,7 @@ TEST(CubicFitting, LeavesStraightLinesAndEndsAtCorners) {
     EXPECT_TRUE(meets_corner);
 }
 
-/// A straight line that goes over into an arc: it is not pulled off its way.
+/// A straight line that continues as an arc stays straight.
 TEST(CubicFitting, KeepsALongLineBesideAnArcStraight) {
     Points points{{-300, 50}};
     for (const glm::dvec2 each : sample(
@@ -124,7 +124,7 @@ TEST(Cubics, LeaveAsSuch) {
     const std::string dxf = to_dxf(drawing, {});
     const std::size_t spline = dxf.find("SPLINE");
     ASSERT_NE(spline, dxf.npos);
-    EXPECT_NE(dxf.find("LINE", spline + 6), dxf.npos); // what goes on straight
+    EXPECT_NE(dxf.find("LINE", spline + 6), dxf.npos); // the straight part after the curve
     EXPECT_EQ(to_dxf(drawing, {.curves = false}).find("SPLINE"), std::string::npos);
 }
 

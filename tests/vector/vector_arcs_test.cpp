@@ -76,7 +76,7 @@ TEST(Arcs, AnEllipseIsNone) {
 
 TEST(Arcs, AnOpenArcMayEndBetweenTwoPoints) {
     Outline cut{.points = along(80, 0, 180, 10)};
-    // Where the line is hidden: within its first and its last chord.
+    // The line is hidden within its first and its last chord.
     cut.points.front().at = 0.5 * (cut.points[0].at + cut.points[1].at);
     const std::size_t last = cut.points.size() - 1;
     cut.points[last].at = 0.7 * cut.points[last - 1].at + 0.3 * cut.points[last].at;
@@ -87,7 +87,7 @@ TEST(Arcs, AnOpenArcMayEndBetweenTwoPoints) {
     EXPECT_NEAR(found.major.x, 80, 1e-6);
     EXPECT_NEAR(found.from, 5 * degree, 1e-6);
     EXPECT_NEAR(found.sweep, 168 * degree, 0.02 * degree);
-    // Its end lies outside the circle: that is no part of it.
+    // An end that lies outside the circle is no part of the circle.
     cut.points.front().at = on_circle(80.2, 5);
     EXPECT_GT(fit_arcs(cut).points.size(), 2U);
 }
@@ -130,7 +130,7 @@ TEST(Arcs, ARoundedCornerBetweenStraightLines) {
 }
 
 TEST(Arcs, LongWaysTakeNoLongTime) {
-    // 30,000 points near a circle, and as many on a curve that every few of them are an arc of.
+    // 30,000 points near a circle, and as many on a curve in which every few points form an arc.
     std::mt19937 random{5};
     std::uniform_real_distribution<double> off{-0.1, 0.1};
     Outline rough, spiral;
@@ -142,7 +142,7 @@ TEST(Arcs, LongWaysTakeNoLongTime) {
     EXPECT_LT(fit_arcs(spiral).points.size(), 30000U);
 }
 
-/// Two arcs that are more than halves overlap: no circle is closed by them.
+/// Two arcs longer than halves overlap, so they make no closed circle.
 TEST(Arcs, ACircleIsTwoHalves) {
     const auto loop = [](double bulge) {
         return Outline{.points = {{{0, 0}, bulge}, {{1, 0}, bulge}}, .closed = true};

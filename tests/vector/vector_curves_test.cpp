@@ -1,4 +1,4 @@
-// Edges that a file knows to be round: what of them a drawing shows, and how it leaves.
+// Edges that are round by their file: their visible parts in a drawing, and their form in files.
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +99,8 @@ VectorDrawing drawn_whole(const Round& round, const Camera& camera = test::flat_
     return drawn(round, cuts.intervals, camera);
 }
 
-/// Two half circles, the left one and the right one, and the lines between them; it begins at an
-/// angle of the right one.
+/// A left and a right half circle with the lines between them. The loop begins at an angle of the
+/// right half.
 Round stadium(double radius, double begins) {
     const auto half = [&](double x) {
         return EdgeCurve{.center = {x, 50, 0.5}, .u = {radius, 0, 0}, .v = {0, radius, 0}};
@@ -182,7 +182,7 @@ TEST(Curves, WholeEllipsesAreOneEntity) {
     EXPECT_EQ(count(dxf, "POLYLINE\n"), 0U);
 }
 
-/// Halves of one circle are one curve; a loop does not begin within one.
+/// Halves of one circle are one curve. A loop does not begin within a curve.
 TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
     const Round round = stadium(30, 0);
     const VectorDrawing drawing = drawn_whole(round);
@@ -200,7 +200,7 @@ TEST(Curves, AStadiumIsTwoArcsAndTwoLines) {
     EXPECT_EQ(count(dxf, " 42\n"), 2 + count(to_dxf(drawing, {.curves = false}), " 42\n"));
 }
 
-/// However small it is drawn: where an arc goes over into a line is no corner that would be kept.
+/// Even in small drawings the point between an arc and a line stays, although it is no corner.
 TEST(Curves, TangentPointsStay) {
     const Round round = stadium(3, -pi / 2);
     const VectorDrawing drawing = drawn_whole(round);
@@ -210,7 +210,7 @@ TEST(Curves, TangentPointsStay) {
         EXPECT_NEAR(std::abs(curve.arc.sweep), pi, 1e-5);
 }
 
-/// Halves of two ellipses that meet on one axis are no ellipse.
+/// Two half ellipses that meet on one axis are no ellipse.
 TEST(Curves, AnEggIsTwoHalves) {
     const EdgeCurve blunt{.center = {100, 50, 0.5}, .u = {20, 0, 0}, .v = {0, 15, 0}};
     const EdgeCurve pointed{.center = {100, 50, 0.5}, .u = {40, 0, 0}, .v = {0, 15, 0}};
@@ -251,7 +251,7 @@ TEST(Curves, InPerspectiveACircleIsAnEllipse) {
     }
 }
 
-/// Of what has moved since it was read nothing is known.
+/// An edge that has moved since it was read has no known curve.
 TEST(Curves, WhatIsNotOnItsCurveHasNone) {
     Round round;
     round.add_arc(circle, 0, 2 * pi, 24);
@@ -269,12 +269,12 @@ TEST(Curves, OfADrawingFitItsPaths) {
     EXPECT_THROW(to_svg(drawing), UsageError);
 }
 
-/// A wave, whose height at x is that.
+/// The height of a wave at x.
 double wave(double x) {
     return 50 + 30 * std::sin((x - 20) * pi / 80);
 }
 
-/// Pixels between a point and the wave, nearly.
+/// The approximate distance of a point from the wave in pixels.
 double off_wave(glm::dvec2 at) {
     const double slope = 30 * pi / 80 * std::cos((at.x - 20) * pi / 80);
     return std::abs(at.y - (100 - wave(at.x))) / std::hypot(1, slope);
@@ -332,7 +332,7 @@ TEST(Curves, WhatIsSeenOfASplineEndsOnIt) {
     for (const VectorPoint& point : drawing.paths[0].points) EXPECT_LT(off_wave(point.at), 0.01);
 }
 
-/// What turns by more than a curve's chords is a corner, and what turns alone.
+/// A turn that is larger than those between a curve's chords is a corner, and so is a single turn.
 TEST(Curves, CornersOfAnEdgeStay) {
     for (const double turn : {60.0, 10.0}) {
         const double slope = std::tan(turn * pi / 180);

@@ -13,7 +13,7 @@ namespace {
 using test::Cuts;
 using test::flat_camera;
 
-/// A scene's lines with made-up visibility: every segment cut at random places.
+/// A scene's lines with random visibility: every segment is cut at random places.
 VectorDrawing scene_drawing(const char* name, bool hidden, const VectorOptions& options = {}) {
     const Scene scene = make_scene(name);
     const LineSet lines = extract_lines(scene.mesh);
@@ -22,7 +22,7 @@ VectorDrawing scene_drawing(const char* name, bool hidden, const VectorOptions& 
     Cuts cuts{lines, camera};
     for (std::uint32_t i = 0; i < lines.segments.size(); ++i) {
         const bool candidate = (lines.segments[i].tag & LA_TAG_KIND_MASK) == LA_KIND_SILHOUETTE;
-        if (candidate && random.below(8) != 0) continue; // most are no silhouette
+        if (candidate && random.below(8) != 0) continue; // most candidates are no silhouette
         bool visible = random.coin();
         float from = 0;
         while (from < 1) {
@@ -75,7 +75,7 @@ TEST(VectorDrawings, OfNothingAreEmpty) {
 }
 
 TEST(VectorDrawings, ExactIntervalsStayAsTheyAre) {
-    // A crumb before a nearer line, and an end beside that line.
+    // A tiny piece before a nearer line, and an end beside that line.
     test::Lines lines;
     lines.add(LineKind::crease, {{20, 50, 0.5F}, {180, 50, 0.9F}});
     lines.add(LineKind::silhouette, {{100, 10, 0.2F}, {100, 90, 0.2F}});
@@ -90,12 +90,13 @@ TEST(VectorDrawings, ExactIntervalsStayAsTheyAre) {
         return test::total_length(
             make_vector_drawing(lines.set, flat_camera(), cuts.intervals, {}).paths);
     };
-    EXPECT_NEAR(length(), 80 + 80, 1e-3); // as samples have it: met, and no crumb
+    // As by samples: the line is met, and there is no tiny piece.
+    EXPECT_NEAR(length(), 80 + 80, 1e-3);
     for (Interval& interval : cuts.intervals) interval.flags |= LA_INTERVAL_EXACT;
     EXPECT_NEAR(length(), 80 + 79.25 + 0.5, 1e-3);
 }
 
-/// Anything a table may hold.
+/// Random intervals of all kinds that a table may hold.
 std::vector<Interval> wild_intervals(const LineSet& lines, const Camera& camera,
                                      test::Random& random) {
     Cuts cuts{lines, camera};

@@ -28,7 +28,7 @@ std::vector<Group> groups_of(const std::string& dxf) {
     return groups;
 }
 
-/// The groups of each object of a section that has this type.
+/// The groups of each object of this type in a section.
 std::vector<std::vector<Group>> objects(const std::string& dxf, const std::string& section,
                                         const std::string& type) {
     std::vector<std::vector<Group>> found;
@@ -95,7 +95,7 @@ TEST(Dxf, LayersHaveThePensOfTheirLines) {
     EXPECT_EQ(value(layers[1], 2), "crease-hidden");
     EXPECT_EQ(value(layers[1], 6), "DASHED");
     EXPECT_EQ(value(layers[1], 62), "252");                           // grey
-    EXPECT_EQ(value(layers[1], 420), std::to_string(115 * 0x010101)); // as the pen has it
+    EXPECT_EQ(value(layers[1], 420), std::to_string(115 * 0x010101)); // the pen's color
     EXPECT_EQ(value(layers[1], 370), "50");                           // 1 pixel
     EXPECT_EQ(value(layers[2], 2), "crease");
     EXPECT_EQ(value(layers[2], 6), "CONTINUOUS");
@@ -156,7 +156,7 @@ TEST(Dxf, ArcsIfTheyAreWanted) {
     EXPECT_NEAR(number(circles[0], 20), 50, 1e-6);
     EXPECT_NEAR(number(circles[0], 40), 25, 1e-6);
 
-    // A quarter from the right to the top, and the same with a straight way before it.
+    // A quarter circle from the right to the top, and the same after a straight line.
     VectorDrawing drawing;
     drawing.size = {400, 200};
     std::vector<glm::dvec2> quarter;

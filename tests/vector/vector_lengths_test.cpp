@@ -20,7 +20,7 @@ using test::Lines;
 
 using Ends = std::vector<std::array<double, 2>>;
 
-/// A strip of 100 pixels with visible strokes, whose first and last end is that of the path.
+/// A strip of 100 pixels with visible strokes. Its ends are those of the path.
 Strip strip_of(const Ends& visible, bool closed = false) {
     Strip strip{.closed = closed,
                 .open_start = !closed,
@@ -137,7 +137,7 @@ TEST(Lengths, HiddenStrokesStay) {
     EXPECT_FALSE(strip.strokes[0].visible);
 }
 
-/// Cuts in a level line at depth 0.8 from x = 20 to 180 by one through (100, 50).
+/// The cuts in a level line at depth 0.8 from x = 20 to 180 by a line through (100, 50).
 std::vector<Cut> halo_of(float depth, glm::vec2 direction, float reach = 40) {
     Lines lines;
     lines.add(LineKind::crease, {{20, 50, 0.8F}, {180, 50, 0.8F}});

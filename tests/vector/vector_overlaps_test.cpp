@@ -27,9 +27,9 @@ TEST(Overlaps, TheCheckerFindsWhatIsPlanted) {
     };
     EXPECT_NEAR(overlap({{{10, 10}, {90, 10}}, {{50, 10.2}, {150, 10.2}}}), 40, 1e-6);
     EXPECT_NEAR(overlap({{{10, 10}, {90, 10}}, {{70, 10}, {60, 10}, {60, 50}}}), 10, 1e-6);
-    // Of a path that folds back on itself both layers count.
+    // Both layers of a path that folds back on itself count.
     EXPECT_NEAR(overlap({{{10, 10}, {50, 10}, {30, 10}}}), 40, 1e-6);
-    // Many short ones in a row are one long one.
+    // Many short overlaps in a row are one long overlap.
     std::vector<glm::dvec2> fine;
     for (int i = 0; i <= 100; ++i) fine.emplace_back(20 + 0.3 * i, 10.1);
     EXPECT_NEAR(overlap({{{10, 10}, {90, 10}}, fine}), 30, 1e-6);
@@ -39,8 +39,8 @@ TEST(Overlaps, TheCheckerFindsWhatIsPlanted) {
 }
 
 TEST(Overlaps, WhatIsLeftOutCoversNothing) {
-    // Each line runs along the one before but for 0.3 pixels at its end, which are too short to be
-    // drawn. If they took away from the next line, nothing would be drawn of all the others.
+    // Each line runs along the one before, except for 0.3 pixels at its end, which are too short to
+    // be drawn. If these removed parts of the next line, no other line would be drawn.
     std::vector<VectorPath> paths;
     for (int i = 0; i < 200; ++i) {
         const double from = 10 + 0.3 * i;
@@ -117,8 +117,8 @@ TEST(Overlaps, WhatOnlyMeetsOrCrossesStays) {
     EXPECT_NEAR(test::total_length(without_overlaps(paths)), test::total_length(paths), 1e-9);
 }
 
-/// Paths of short lines, many of them along others: exact copies, shifted ones, ones walked the
-/// other way, and others cut differently.
+/// Paths of short lines, many of which run along others: exact copies, shifted copies, reversed
+/// ones, and copies that are cut differently.
 std::vector<VectorPath> crowd(std::size_t pieces, glm::dvec2 size) {
     test::Random random{5};
     std::vector<VectorPath> paths;
@@ -162,7 +162,7 @@ TEST(Overlaps, NoneOfACrowdIsLeft) {
 
 TEST(Overlaps, NoneOfAHundredThousandPiecesIsLeft) {
     std::vector<VectorPath> paths;
-    { // the crowd is made anew every round, so a small one is repeated beside itself
+    { // a small crowd is repeated beside itself, because a crowd is made again every round
         const std::vector<VectorPath> one = crowd(1000, {200, 200});
         for (int i = 0; i < 100; ++i) {
             const glm::dvec2 shift{i % 10 * 190, i / 10 * 105};

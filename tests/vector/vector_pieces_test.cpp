@@ -56,7 +56,7 @@ TEST(VectorPieces, LeaveOutWhatIsBehindTheEyeOrNoNumber) {
     EXPECT_EQ(make_pieces(lines.set, camera, cuts.intervals).list.size(), 1U);
 }
 
-/// A horizontal line behind a vertical one at x = 100; visible up to `end`.
+/// A horizontal line behind a vertical one at x = 100. It is visible up to `end`.
 struct Crossing {
     explicit Crossing(float end, float depth = 0.2F) {
         lines.add(LineKind::crease, {{20, 50, 0.5F}, {180, 50, 0.9F}});
@@ -78,7 +78,7 @@ TEST(Junctions, AnEndMeetsTheNearerLineExactly) {
         EXPECT_EQ(meet_junctions(scene.lines.set, picture, scene.pieces), 1U);
         const VectorPoint met = scene.pieces.end(scene.pieces.list[0]);
         EXPECT_NEAR(met.at.x, 100, rounding);
-        EXPECT_NEAR(met.depth, 0.7, 1e-6); // of the line itself, not of the nearer one
+        EXPECT_NEAR(met.depth, 0.7, 1e-6); // the depth of the line itself, not of the nearer one
         EXPECT_NEAR(met.world.z, 0.7, 1e-6);
         EXPECT_NEAR(met.arc, 0, rounding);
         EXPECT_EQ(scene.pieces.list[0].end.t, scene.pieces.list[1].start.t);
@@ -113,7 +113,7 @@ TEST(Junctions, WorldPointsFollowThePerspective) {
     const View view{.eye = {0, 0, 8}, .target = {0, 0, 0}, .near = 1, .far = 30};
     const Camera camera = make_camera(view, {400, 300}, {});
     Cuts cuts{lines.set, camera};
-    // Where the first crosses the second on the screen: found by halving.
+    // The place where the first line crosses the second on the screen is found by halving.
     const Pieces whole = make_pieces(lines.set, camera, [&] {
         cuts.add_all();
         return cuts.intervals;
@@ -133,14 +133,14 @@ TEST(Junctions, WorldPointsFollowThePerspective) {
     ASSERT_EQ(meet_junctions(lines.set, glm::dvec2{400, 300}, pieces), 1U);
     const VectorPoint met = pieces.end(pieces.list[0]);
     EXPECT_NEAR(met.at.x, x, 1e-6);
-    // The world point projects to where the end is, and lies on the line.
+    // The point in the world projects to the end and lies on the line.
     const glm::dvec4 clip = glm::dmat4{camera.clip_from_world()} * glm::dvec4{met.world, 1};
     EXPECT_NEAR((clip.x / clip.w + 1) * 200, met.at.x, 1e-4);
     EXPECT_NEAR(1 / clip.w, met.inverse_w, 1e-6);
     EXPECT_NEAR((met.world.x + 2) / 5, (2 - met.world.z) / 11, 1e-6);
 }
 
-/// A level line that is hidden from or up to 1 pixel before its right end, where another one ends.
+/// A level line whose visibility changes 1 pixel before its right end, where another line begins.
 struct Corner {
     explicit Corner(bool visible_at_vertex, bool corner = true) {
         lines.add(LineKind::crease, {{20, 50, 0.5F}, {120, 50, 0.5F}});

@@ -68,7 +68,7 @@ TEST(Plotter, TravelsAFractionOfTheWay) {
     const PenTravel travel = order_for_plotter(paths);
     EXPECT_NEAR(travel.before, before, 1e-6);
     EXPECT_NEAR(travel.after, travel_of(paths), 1e-6);
-    // The best tour through so many random points is 0.7124 sqrt(n area) long.
+    // The length of the best tour through many random points is 0.7124 sqrt(n area).
     EXPECT_LT(travel.after, 0.7124 * std::sqrt(2000 * 1000.0 * 800));
     EXPECT_NEAR(test::total_length(paths), length, 1);
 }

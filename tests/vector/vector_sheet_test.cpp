@@ -1,4 +1,4 @@
-// Sheets: where views stand, how large they are drawn, what their files hold.
+// Sheets: the places and scales of views, and the content of files.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +20,8 @@
 namespace lineatlas {
 namespace {
 
-/// The edges of a box, as lines that nothing hides. Its corners are where floats are not round.
+/// The edges of a box as lines that nothing hides. The coordinates of its corners are no round
+/// floats.
 struct Box {
     explicit Box(glm::vec3 low = {-31.3F, 17.7F, 5.1F}, glm::vec3 size = {120, 50, 70})
         : low(low), high(low + size) {
@@ -56,7 +57,7 @@ const SheetView& view_named(const SheetLayout& layout, const std::string& name) 
     return *std::ranges::find(layout.views, name, &SheetView::name);
 }
 
-/// A group of SVG that stands for a view, or a layer.
+/// The group of an SVG for a view or a layer.
 pugi::xml_node group(const pugi::xml_document& svg, const std::string& id) {
     return svg.child("svg").find_child_by_attribute("g", "id", id.c_str());
 }
@@ -324,7 +325,7 @@ TEST(Sheet, MeasuresAreTheSizesOfTheModel) {
     }
     const VectorSheet inches = box.sheet({.scale = "1:50", .unit = 25.4, .measures = true});
     EXPECT_NEAR(inches.model_size.y, 1270, 1e-3);
-    // Depth is measured where a view shows it.
+    // Depth is measured only if a view shows it.
     EXPECT_EQ(box.sheet({.views = {"front"}, .measures = true}).model_size.z, 0);
     const VectorSheet lying = box.sheet({.views = {"front"}, .up = {0, 0, 1}, .measures = true});
     EXPECT_EQ(lying.model_size, (glm::dvec3{120.25, 0, 70.5}));

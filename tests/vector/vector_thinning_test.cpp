@@ -1,4 +1,4 @@
-// Paths that are left out where lines are dense.
+// Paths are left out where lines are dense.
 #include <cmath>
 #include <numeric>
 
@@ -64,7 +64,7 @@ TEST(Thinning, DrawsAsMuchAsTheLimitAllows) {
         for (const float limit : {0.1F, 0.25F}) {
             const std::vector<VectorPath> before = lattice(apart);
             const std::vector<VectorPath> after = thin_out(before, with_limit(limit), picture);
-            // The heap's borders, a tent wide, keep some more.
+            // The borders of the heap, as wide as a tent, keep slightly more.
             const double most = double{limit} * 230 * 400;
             EXPECT_GT(length(after, false), 0.7 * most) << apart << " " << limit;
             EXPECT_LT(length(after, false), 1.3 * most) << apart << " " << limit;
@@ -132,7 +132,7 @@ TEST(Thinning, TakesHiddenLinesByTheirOwnLimit) {
     EXPECT_GT(length(thin_out(paths, style, picture), true), 0.8 * 200 * 400);
 }
 
-/// A lattice that a model has, as a drawing.
+/// The drawing of a model that is a lattice.
 VectorDrawing drawing(float limit, bool plotter = false) {
     test::Lines lines;
     for (int x = 50; x < 150; ++x) lines.add(LineKind::crease, {{x, 0, 0.5F}, {x, 100, 0.5F}});

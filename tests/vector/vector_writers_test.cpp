@@ -62,7 +62,7 @@ TEST(PathData, Arcs) {
               "m10 0a10 10 0 0 1-10 10 10 10 0 0 1-10-10 10 10 0 0 1 10-10z");
 }
 
-/// What reads SVG finds the centre of an arc by its ends, which are rounded.
+/// Programs that read SVG find the centre of an arc from its rounded ends.
 TEST(PathData, ArcsAreWhereTheyBelong) {
     const glm::dvec2 center{512.0296351, 409.2964947};
     for (const double radius : {463.8009, 31.4159, 2000.7}) {
@@ -280,7 +280,7 @@ TEST(Svg, DashesAreAsLongAsThePensAre) {
             ASSERT_TRUE(dashes);
             const PenMark pen = make_pen(mark, width);
             EXPECT_NEAR(pen.repeat_length, dashes->dash + dashes->gap, 1e-4F);
-            // Along the spine: the share of the period that is covered.
+            // The covered share of the period along the spine.
             const auto columns = static_cast<std::size_t>(pen.size.x);
             const std::size_t row = static_cast<std::size_t>(pen.size.y) / 2;
             double covered = 0;

@@ -13,30 +13,30 @@
 
 namespace lineatlas::test {
 
-/// A hand on the viewer: its events enter where those of GLFW do, so that handlers, panels and
-/// pictures are the real ones. X and GLFW alone are left out: what they say of a mouse on a display
-/// without a window manager depends on who else is there.
+/// Operates the viewer. Its events enter at the same place as those of GLFW, so that handlers,
+/// panels and pictures are the real ones. Only X and GLFW are left out, because their events of a
+/// mouse depend on other programs on a display without a window manager.
 class ViewerDriver {
   public:
     explicit ViewerDriver(viewer::Application& application) : app_(application) {}
 
     viewer::Session& session() { return app_.session(); }
 
-    /// Frames with a picture each.
+    /// Shows frames, each with a new picture.
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
             session().changed();
             panel_frames(1);
         }
     }
-    /// Frames that only show what there is, and take little time.
+    /// Shows frames without a new picture, which take little time.
     void panel_frames(int count) {
         for (int i = 0; i < count; ++i) {
             app_.input().on_refresh();
             app_.step(0);
         }
     }
-    /// Until nothing more is to be shown.
+    /// Shows frames until nothing changes any more.
     void rest() {
         constexpr int most = 2000;
         for (int i = 0; i < most; ++i) {
@@ -95,7 +95,7 @@ class ViewerDriver {
             if (place.x < session().size().x || footer || (place.y > top && place.y < bottom))
                 return;
             scroll(place.y > bottom ? -1 : 1, {x, 0.5 * bottom});
-            // Where there is nothing more to scroll, the last items stand above the footer.
+            // At the end of the sidebar the last items are above the footer.
             const bool at_end = middle_of(spot) == place;
             if (at_end && place.y > top && place.y < app_.window().points().y) return;
         }
@@ -118,7 +118,7 @@ class ViewerDriver {
             panel_frames(2);
         }
     }
-    /// Saves as the command of that kind does.
+    /// Saves like the command of that kind.
     void save(viewer::SavedKind kind) {
         viewer::save_as(app_.ui(), kind);
         panel_frames(1);
@@ -129,7 +129,7 @@ class ViewerDriver {
         rest();
     }
 
-    /// What the window shows; kept in the folder that LINEATLAS_SCREENSHOTS names.
+    /// A picture of the window. It is also saved in the folder that LINEATLAS_SCREENSHOTS names.
     Image screenshot(const std::string& name) {
         Image image = app_.screenshot();
         if (const char* folder = std::getenv("LINEATLAS_SCREENSHOTS")) {

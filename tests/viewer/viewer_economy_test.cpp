@@ -1,4 +1,4 @@
-// What gives way while the camera moves, on machines whose pictures take known times.
+// Economies while the camera moves, on imitated machines with known times per picture.
 
 #include <array>
 
@@ -13,10 +13,10 @@ namespace {
 using viewer::Economy;
 using viewer::Pace;
 
-/// Seconds of a picture by what gives way.
+/// Seconds per picture for each economy.
 using Machine = std::array<double, viewer::economies>;
 
-/// A pen, halos and all else that may give way.
+/// Options with a pen's mark, halos and all else that an economy may leave out.
 FrameOptions rich() {
     FrameOptions options;
     options.style.pen.mark = "charcoal";
@@ -28,7 +28,7 @@ double cost(const Machine& machine, Economy economy) {
     return machine.at(static_cast<std::size_t>(economy));
 }
 
-/// Draws pictures of a movement; what gave way in each.
+/// Draws pictures of a movement. Returns the economy of each.
 std::vector<Economy> move(Pace& pace, const Machine& machine, int pictures,
                           const FrameOptions& options = rich()) {
     std::vector<Economy> all;
@@ -41,7 +41,7 @@ std::vector<Economy> move(Pace& pace, const Machine& machine, int pictures,
 
 TEST(ViewerEconomy, NothingGivesWayWherePicturesAreFast) {
     Pace pace;
-    pace.note(Economy::none, 0.3); // the first one makes shaders and tables
+    pace.note(Economy::none, 0.3); // the first picture makes shaders and tables
     const Machine fast{0.01, 0.008, 0.007, 0.006, 0.004};
     const std::vector<Economy> drawn = move(pace, fast, 10);
     EXPECT_NE(drawn.front(), Economy::none) << "nobody could know";
@@ -62,7 +62,7 @@ TEST(ViewerEconomy, AsMuchAsIsNeededGivesWayFromTheFirstPictureOn) {
 TEST(ViewerEconomy, WhatItHasSavedBeforeCounts) {
     Pace pace;
     pace.note(Economy::none, 1);
-    // Marks save nearly all here, which nobody could know.
+    // On this machine to leave out marks saves nearly all time, which cannot be known before.
     const Machine machine{0.2, 0.19, 0.18, 0.02, 0.012};
     for (int i = 0; i < 3; ++i) {
         pace.note(Economy::none, 0.2);
@@ -114,7 +114,7 @@ TEST(ViewerEconomy, DetailsGoLastAndOnlyWhereTheyMay) {
     EXPECT_EQ(pace.choose(rich(), true), Economy::pixels);
 }
 
-/// A path of two segments from the origin to x = 1, one of a tenth of that, and an edge that may be
+/// A path of two segments from the origin to x = 1, a path a tenth as long, and an edge that may be
 /// a silhouette.
 LineSet two_paths() {
     LineSet lines;
@@ -145,7 +145,7 @@ TEST(ViewerEconomy, ShortPathsAreLeftOutByTheirLengthInPixels) {
     const LineSet left = viewer::long_lines(lines, camera, 50);
     EXPECT_EQ(left.kind_counts[LA_KIND_CREASE], 2U);
     EXPECT_EQ(left.sources.size(), 3U);
-    // Twice as far away, by perspective: w is 2.
+    // A perspective view from twice as far away, in which w is 2.
     camera.projection[3][3] = 2;
     EXPECT_EQ(kept(9.9F), 3U);
 }

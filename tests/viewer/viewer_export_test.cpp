@@ -1,4 +1,4 @@
-// The panel that exports drawings: what it writes is what the tool draws, and to scale.
+// The panel that exports drawings writes the same as the tool, and to scale.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// A box of 2 units, which are millimetres as long as nobody says otherwise, seen from the front.
+/// A box of 2 units in the view from the front. Units are millimetres by default.
 class ViewerExport : public Viewer {
   protected:
     ViewerExport() {
@@ -20,13 +20,13 @@ class ViewerExport : public Viewer {
     viewer::ExportOptions& options() { return app_.ui().exporting.options; }
     const std::string& problem() { return session().preview_problem(); }
 
-    /// Draws with the tool what the viewer has saved, under another name.
+    /// Lets the tool draw the viewer's saved files under another name.
     void draw_by_tool(const std::string& arguments, const std::string& output) const {
         const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("m.obj") + " " +
                                     arguments + " -o " + path(output);
         EXPECT_EQ(std::system(command.c_str()), 0) << command;
     }
-    /// All but the settings that made it.
+    /// The text of a drawing without its settings.
     static std::string drawn_in(std::string text) {
         const std::size_t from = text.find("<desc>"), to = text.find("</desc>");
         return from < to && to != std::string::npos ? text.erase(from, to - from) : text;

@@ -1,4 +1,4 @@
-// Several files in one scene: dropped together, added, saved as a session, read again.
+// Several files in one scene: they are dropped together, added, saved as a session and read again.
 
 #include <numeric>
 
@@ -90,7 +90,7 @@ TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
 }
 
 TEST_F(ViewerFiles, StandUprightSideBySide) {
-    // A post as high as 6 along z, which is upwards in STL, beside a box of OBJ, where y is.
+    // A post of height 6 along z, which is upwards in STL, beside a box in OBJ, where y is upwards.
     std::ofstream{path("post.stl")} << "solid post\n"
                                        "facet normal 0 0 0\nouter loop\nvertex 4 0 0\n"
                                        "vertex 5 0 0\nvertex 4 0 6\nendloop\nendfacet\n"
@@ -111,7 +111,8 @@ TEST_F(ViewerFiles, OneThatIsBrokenIsNamedAndNoneIsTaken) {
     EXPECT_EQ(session().model()->source.name(), "clevis");
 }
 
-/// A square of two triangles whose diagonal bends by 60 degrees, with what its file says.
+/// A square of two triangles that is bent by 60 degrees along its diagonal. knows_edges: the file
+/// tells the kind of the diagonal.
 LoadedMesh folded(bool knows_edges) {
     LoadedMesh loaded;
     loaded.mesh = {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}},

@@ -1,4 +1,4 @@
-// The order in which the viewer hears what happens, and what of it it hears at once.
+// The order in which the viewer gets events, and which events it gets together.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// Writes down what it hears.
+/// Records the events that it gets.
 class Heard final : public viewer::InputListener {
   public:
     void on_key(int key, int /*scancode*/, int action, int mods) override {
@@ -35,7 +35,7 @@ class Heard final : public viewer::InputListener {
     std::string text;
 };
 
-/// All of it: what is told at once stands between two bars.
+/// All events of the queue as text. Events that are told together are between two bars.
 std::string told_by(viewer::InputQueue& queue) {
     Heard heard;
     while (!queue.empty()) {
@@ -76,7 +76,7 @@ TEST(InputQueue, TellsMovesInARowAtOnceAndNoneAfterAButton) {
     EXPECT_EQ(told_by(queue), "move1move2|button0+|move3|scroll4scroll5|move6|");
 }
 
-/// Adds to the queue what it hears of.
+/// Adds an event to the queue for events that it gets.
 class Adds final : public viewer::InputListener {
   public:
     explicit Adds(viewer::InputQueue& queue) : queue_(queue) {}

@@ -1,5 +1,5 @@
-// Nothing that is typed or tapped is lost, and no letter of a text is a shortcut, however slow the
-// pictures are. Events come from the X server, through GLFW.
+// No typed or tapped key is lost, and no letter of a text is a shortcut, even if pictures are slow.
+// Events come from the X server through GLFW.
 
 #include <map>
 
@@ -9,14 +9,15 @@
 
 #include "viewer_support.hpp"
 
-// Of GLFW's native access, whose header wants those of all extensions of X.
+// Declared here because the header of GLFW's native access needs the headers of all extensions of
+// X.
 extern "C" Display* glfwGetX11Display();
 extern "C" Window glfwGetX11Window(GLFWwindow* window);
 
 namespace lineatlas::test {
 namespace {
 
-/// A keyboard whose keys the X server passes to the window, whoever has the focus.
+/// A keyboard. The X server passes its keys to the window, whichever window has the focus.
 class Keyboard {
   public:
     explicit Keyboard(GLFWwindow* window) : window_(glfwGetX11Window(window)) {}
@@ -40,7 +41,7 @@ class Keyboard {
         event.xkey.display = display_;
         event.xkey.window = window_;
         event.xkey.root = DefaultRootWindow(display_);
-        event.xkey.time = ++time_; // GLFW takes two presses at one time for one
+        event.xkey.time = ++time_; // GLFW takes two presses at the same time for one press
         event.xkey.state = state;
         event.xkey.keycode = XKeysymToKeycode(display_, key);
         event.xkey.same_screen = True;
@@ -52,7 +53,7 @@ class Keyboard {
     Time time_ = 1000;
 };
 
-/// Letters a second, and how long a picture takes.
+/// Letters a second, and the time of a picture.
 struct Pace {
     int letters = 10;
     int milliseconds = 20;
@@ -67,7 +68,7 @@ class ViewerInput : public Viewer, public testing::WithParamInterface<Pace> {
         style_ = session().settings;
         view_ = session().navigation.view();
     }
-    /// Types as fast as that, while each picture takes so long.
+    /// Types a text at this pace of letters and pictures.
     void type(const std::string& text, Pace pace) {
         double due = 0;
         for (std::size_t at = 0; at < text.size();) {
@@ -100,11 +101,11 @@ class ViewerInput : public Viewer, public testing::WithParamInterface<Pace> {
     View view_;
 };
 
-/// With all letters that are shortcuts.
+/// A text with all letters that are shortcuts.
 constexpr const char* pangram = "sphinx of black quartz judge my vow 0123456789";
 
 TEST_P(ViewerInput, TextComesIntoAFieldWhole) {
-    click("parts.search"); // and types on, before a frame has shown that it is there
+    click("parts.search"); // the next letters come before a frame has shown the field
     type(pangram, GetParam());
     EXPECT_EQ(app_.ui().part_search, pangram);
     expect_that_nothing_ran();
@@ -114,7 +115,7 @@ TEST_P(ViewerInput, TextComesIntoPanelsWhole) {
     keyboard_.tap(XK_o, ControlMask);
     type(pangram, GetParam());
     EXPECT_EQ(app_.ui().open.search.searched, pangram);
-    keyboard_.tap(XK_p, ControlMask); // the other panel goes
+    keyboard_.tap(XK_p, ControlMask); // the other panel closes
     type(pangram, GetParam());
     EXPECT_EQ(app_.ui().palette.searched, pangram);
     keyboard_.tap(XK_Escape);
@@ -154,7 +155,7 @@ TEST_F(ViewerTaps, KeysThatFlyMoveTheCameraHoweverShort) {
 }
 
 TEST_F(ViewerTaps, EachEventIsDoneInItsOrder) {
-    // All of it within one frame: two files are saved, a field is filled and left, and one more.
+    // Within one frame a field is filled and left, two files are saved, and a shortcut follows.
     click("parts.search");
     keyboard_.type("bolt");
     keyboard_.tap(XK_Return);

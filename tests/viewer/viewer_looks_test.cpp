@@ -1,5 +1,5 @@
-// How the viewer's window looks: nothing is cut off or lies over something else, whatever the size,
-// the scale and the colours. LINEATLAS_SCREENSHOTS keeps the pictures; docs/viewer.md shows some.
+// The looks of the viewer's window. With any size, scale and colours nothing is cut off or covers
+// something else. LINEATLAS_SCREENSHOTS names a folder for the pictures; docs/viewer.md shows some.
 
 #include <fmt/format.h>
 #include <glm/vector_relational.hpp>
@@ -19,7 +19,7 @@ struct Look {
     }
 };
 
-/// As many boxes as that, in rows.
+/// Boxes in rows.
 std::string boxes(int count) {
     std::string text;
     for (int i = 0; i < count; ++i) {
@@ -42,13 +42,13 @@ class ViewerLooks : public testing::TestWithParam<Look> {
     }
     viewer::Session& session() { return app_.session(); }
 
-    /// Keeps a picture and looks whether items are in the window and apart.
+    /// Saves a picture. Expects that items are within the window and apart.
     void look(const char* what) {
         SCOPED_TRACE(what);
         hand_.screenshot(fmt::format("{}_{}", what, GetParam().name()));
         const glm::vec2 window{app_.window().points()};
         const float border = window.x - viewer::sidebar_width(app_.ui());
-        // What the footer begins with; what is scrolled lies above it.
+        // The first item of the footer. Items that scroll are above it.
         const float footer = app_.ui().spots.find("export")->low.y;
         const auto in_sight = [&](const std::string& name, const viewer::Area& area) {
             const bool of_footer = name == "export" || name == "save.session";
@@ -77,12 +77,12 @@ class ViewerLooks : public testing::TestWithParam<Look> {
         }
     }
 
-    /// The same of the panel of exports, which lies over the sidebar in small windows.
+    /// The same for the panel of exports, which covers the sidebar in small windows.
     void look_at_export() {
         hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
         hand_.click("export.print");
         hand_.click("export.sheet");
-        hand_.move({1, 1}); // nothing says what it does
+        hand_.move({1, 1}); // no tooltip shows
         hand_.screenshot(fmt::format("export_{}", GetParam().name()));
         const glm::vec2 window{app_.window().points()};
         std::vector<std::pair<std::string, viewer::Area>> seen;

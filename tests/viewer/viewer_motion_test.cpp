@@ -1,6 +1,6 @@
-// What an orbit of the viewer costs, and that rest costs nothing. LINEATLAS_MOTION_SCENE: a scene
-// or a file; LINEATLAS_MOTION_FRAMES: how many pictures; LINEATLAS_MOTION_STAGES: where their time
-// goes. Figures are printed, for docs/viewer.md.
+// The costs of an orbit in the viewer, and that rest costs nothing. LINEATLAS_MOTION_SCENE: a scene
+// or a file. LINEATLAS_MOTION_FRAMES: the number of pictures. LINEATLAS_MOTION_STAGES: prints the
+// times of stages. The figures are printed for docs/viewer.md.
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@ std::string setting(const char* name, const char* usual) {
     return text != nullptr ? text : usual;
 }
 
-/// Of all threads, milliseconds.
+/// The time of all threads in milliseconds.
 double processor_time() {
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -78,7 +78,8 @@ TEST(ViewerMotion, IsDrawnAndEndsAtRest) {
     std::printf("at rest after %.0f ms, %s\n", wall_time() - moved,
                 session.refined() ? "exact" : "as it moves");
     EXPECT_TRUE(session.refined());
-    while (session.messages.passing()) app.step(0.1); // what a file is told about goes by itself
+    // Messages about files disappear by themselves.
+    while (session.messages.passing()) app.step(0.1);
     hand.rest();
     const std::uint64_t shown = app.frames_shown(), drawn = session.frames_drawn();
     const double start = processor_time(), wall_start = wall_time();

@@ -16,7 +16,7 @@ namespace {
 using viewer::Navigation;
 
 constexpr glm::dvec2 size{800, 600};
-constexpr double pixel = 0.01; // a hundredth: the view's numbers are floats
+constexpr double pixel = 0.01; // a hundredth, because the view's numbers are floats
 
 Navigation at(glm::vec3 eye, glm::vec3 target = {0, 0, 0}) {
     Navigation navigation;
@@ -56,7 +56,7 @@ TEST(Navigation, SeesWhatTheCameraSees) {
 
 TEST(Navigation, GoesAwayThroughNearWalls) {
     Navigation navigation = at({0.5, 0, 5}, {0.5, 0, 0});
-    const glm::dvec3 wall{0.5003, 0.0001, 4.999}; // right before the eye, as after going through it
+    const glm::dvec3 wall{0.5003, 0.0001, 4.999}; // just before the eye
     const glm::dvec2 before = seen(navigation, wall);
     double gone = 0;
     for (int click = 0; click < 8; ++click) {

@@ -1,4 +1,4 @@
-// Parts are hidden, found and framed in the viewer, and what one did there is undone.
+// Parts are hidden, found and framed in the viewer, and these actions are undone.
 
 #include <chrono>
 
@@ -8,7 +8,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// Two boxes side by side, seen from the front: "Base" is left, "Bolt M8" is right.
+/// Two boxes side by side in the view from the front: "Base" on the left, "Bolt M8" on the right.
 class ViewerParts : public Viewer {
   protected:
     ViewerParts() {
@@ -89,7 +89,7 @@ TEST_F(ViewerParts, AreSelectedByAClickAndNotByADrag) {
     EXPECT_EQ(selected(), "");
 }
 
-/// An arm with a mesh of its own that holds a hand, both four triangles.
+/// An arm that has a mesh and contains a hand; each has four triangles.
 std::string arm_with_hand() {
     return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
 "nodes": [{"name": "Arm", "mesh": 0, "children": [1]},
@@ -235,7 +235,7 @@ TEST_F(ViewerParts, AFileIsReadAgain) {
     write(box("Base", {-2, 0, 0}, 1));
     std::filesystem::last_write_time(path("m.obj"),
                                      std::filesystem::file_time_type::clock::now() +
-                                         std::chrono::seconds{10}); // whatever the clock's step is
+                                         std::chrono::seconds{10}); // with any step of the clock
     for (int looks = 0; looks < 2; ++looks) session().look_at_file();
     hand_.rest();
     EXPECT_EQ(lines(), all / 2) << "by itself";

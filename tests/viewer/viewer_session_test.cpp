@@ -10,7 +10,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// Two boxes side by side, seen from the front: "Base" is left, "Bolt M8" is right.
+/// Two boxes side by side in the view from the front: "Base" on the left, "Bolt M8" on the right.
 class ViewerSession : public Viewer {
   protected:
     ViewerSession() {
@@ -118,7 +118,7 @@ TEST_F(ViewerSession, NoMoreThanSixSectionsAndNoneThatTakesAll) {
 
 TEST_F(ViewerSession, ClicksPassThroughWhatIsCutAway) {
     hand_.key(GLFW_KEY_C);
-    hand_.click("section.0.X"); // what lies right of the middle is gone
+    hand_.click("section.0.X"); // the parts right of the middle are gone
     const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right);
     EXPECT_TRUE(session().selected.empty());
@@ -228,7 +228,8 @@ TEST_F(ViewerSession, CreasesFollowTheirAngle) {
     EXPECT_EQ(creases(), before);
 }
 
-/// An upright tube of 16 sides, bent by 22.5 degrees at each edge: a smooth surface as a mesh.
+/// An upright tube of 16 sides that bends by 22.5 degrees at each edge, as the mesh of a smooth
+/// surface.
 Mesh tube(bool with_normals) {
     constexpr std::uint32_t sides = 16;
     Mesh mesh;
@@ -250,7 +251,7 @@ Mesh tube(bool with_normals) {
     return mesh;
 }
 
-/// Reads the tube, whatever the file.
+/// A reader that gives the tube for every file.
 viewer::Loader::Reader reader_of_tube(bool with_normals) {
     return [with_normals](const viewer::ModelSource& source) {
         auto model = std::make_shared<viewer::Model>();
@@ -349,7 +350,7 @@ TEST_F(ViewerSession, WhatHappensMeanwhileKeepsAPictureFromBecomingExact) {
 
 TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     const auto click = [&](glm::dvec3 corner) {
-        // A few pixels inside of the face.
+        // A place a few pixels within the face.
         const glm::dvec2 at =
             *viewer::seen_at(session().navigation.view(), 0.99 * corner, session().size());
         hand_.drag(GLFW_MOUSE_BUTTON_LEFT, at, at);

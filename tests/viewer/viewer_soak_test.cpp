@@ -1,6 +1,6 @@
-// Frames of the viewer with everything switched all the time leave nothing behind: references to
-// OpenCL objects, names of GL objects and memory are counted. LINEATLAS_SOAK_FRAMES: how many
-// frames; 300 if it is not set.
+// Frames of the viewer with constant switching of all settings leave nothing behind. The test
+// counts references to OpenCL objects, names of GL objects and memory. LINEATLAS_SOAK_FRAMES: the
+// number of frames; 300 if it is not set.
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,7 +34,7 @@ ClCounts count_cl() {
     return faults()->references;
 }
 
-/// Names in use. Mesa gives the lowest that is free, so that none is beyond `most`.
+/// The number of names in use. Mesa gives the lowest free name, so that no name is beyond `most`.
 int count_gl() {
     constexpr GLuint most = 4096;
     int count = 0;
@@ -51,8 +51,8 @@ int frames_wanted() {
     return text == nullptr ? 300 : std::max(std::atoi(text), 2 * frames_per_period);
 }
 
-/// Every period goes through the same combinations and ends with the atlas, whose objects there are
-/// most of.
+/// Every period goes through the same combinations and ends with the atlas, because that has the
+/// most objects.
 void switch_everything(viewer::Session& session, int number) {
     static const std::array<DeviceOptions, 4> devices{
         {{}, {.interop = "copy"}, {.compute = "cpp"}, {.interop = "host-pointer"}}};
@@ -79,7 +79,7 @@ TEST(ViewerSoak, LeavesNothingBehind) {
             switch_everything(app.session(), frame / frames_per_switch);
         app.session().navigation.orbit({0, 0, 0}, {0.01, 0});
         hand.frames(1);
-        // What gives way, and the objects for it, must not hang on how busy the machine is.
+        // Economies and their objects must not depend on the load of the machine.
         for (int i = 0; i < 3; ++i) app.session().note_duration(1);
         ASSERT_TRUE(app.session().messages.all().empty())
             << app.session().messages.all().front().text;
@@ -102,7 +102,8 @@ TEST(ViewerSoak, LeavesNothingBehind) {
     EXPECT_GT(first.gl, 20) << "nothing was counted";
     EXPECT_EQ(last.cl, first.cl);
     EXPECT_EQ(last.gl, first.gl);
-    // Allocators keep some 20 MB now and then; the least of several periods knows nothing of that.
+    // Allocators sometimes keep about 20 MB. The least value of several periods does not contain
+    // these.
     const std::ptrdiff_t quarter = std::ssize(periods) / 4;
     if (quarter == 0) return;
     const auto least = [](auto from, auto to) {

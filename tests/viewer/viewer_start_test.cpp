@@ -1,4 +1,4 @@
-// The first minute: an empty window, what it offers, and what its controls say of themselves.
+// The first minute: an empty window, its offers, and the names and tooltips of its controls.
 
 #include <algorithm>
 #include <array>
@@ -72,7 +72,7 @@ TEST_F(ViewerStart, TheAxesShowHowTheModelStandsAndLead) {
 TEST_F(ViewerStart, EveryControlSaysWhatItDoes) {
     app_.ui().folded.clear();
     std::ofstream{path("m.obj")} << box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9);
-    // What has its name on it, or is said by what it stands in.
+    // Items that show their names, or are named by the items around them.
     constexpr std::array named{
         "part:", "recent:", "start.recent:", "entry:",      "command:",      "section",
         "menu:", "status:", "palette.",      "open.search", "export.preview"};

@@ -15,7 +15,7 @@ inline std::string text_of(const std::string& path) {
     return text.str();
 }
 
-/// A cube of two units about `at`, an object of its own.
+/// A cube of two units about `at`, as a separate object.
 inline std::string box(const std::string& name, glm::vec3 at, int first) {
     std::ostringstream text;
     text << "o " << name << '\n';
@@ -38,7 +38,7 @@ class Viewer : public testing::Test {
         : app_{{.size = {1280, 800}, .scale = scale, .scripted = true}, writer_} {
         app_.ui().folder = folder_.path().string();
         app_.ui().folded.clear();                 // methods and devices are in sight
-        session().settings.exact_at_rest = false; // pictures are those of the method that is chosen
+        session().settings.exact_at_rest = false; // pictures are by the chosen method
         hand_.open_scene("clevis");
         EXPECT_TRUE(session().messages.all().empty());
     }
@@ -54,7 +54,7 @@ class Viewer : public testing::Test {
         }
         return {};
     }
-    /// Runs the tool with what the viewer has saved.
+    /// Runs the tool with the viewer's saved files.
     void draw_by_tool(const std::string& arguments, const std::string& output) const {
         const std::string command = std::string{LINEATLAS_TOOL} + " draw --scene clevis " +
                                     arguments + " --camera-path " + path("clevis.json") + " -o " +

@@ -1,5 +1,5 @@
-// What is switched and saved in the viewer, under a hand that is none (ViewerDriver). Needs a
-// display: xvfb-run gives one.
+// Switching and saving in the viewer, operated by ViewerDriver. Needs a display: xvfb-run gives
+// one.
 
 #include <algorithm>
 
@@ -184,7 +184,7 @@ TEST_F(Viewer, SplitsTheScreenAtASlider) {
 
 TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
     hand_.choose("style", "charcoal");
-    const auto slow = [&] { // three pictures: one alone might be chance
+    const auto slow = [&] { // three pictures, because a single one might be chance
         for (int i = 0; i < 3; ++i) session().note_duration(1);
     };
     const auto turn = [&] {
@@ -214,14 +214,14 @@ TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
 TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
     hand_.click("split");
     hand_.choose("second", "Exact");
-    hand_.move({484, 20}); // nothing says what it does
+    hand_.move({484, 20}); // no tooltip shows
     const Image whole = hand_.screenshot("split_whole");
     for (int i = 0; i < 3; ++i) session().note_duration(1);
     session().navigation.orbit({0, 0, 0}, {1e-4, 0});
     hand_.panel_frames(1);
     ASSERT_EQ(session().economy(), viewer::Economy::pixels);
     const Image half = hand_.screenshot("split_half");
-    // Ink in each quarter of the picture, below the names of the sides.
+    // Counts ink in each quarter of the picture, below the names of the sides.
     for (int quarter = 0; quarter < 4; ++quarter) {
         const auto ink = [&](const Image& image) {
             std::uint64_t sum = 0;
@@ -237,7 +237,7 @@ TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
 
 TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
     std::ostringstream text;
-    for (int i = 0; i < 9000; ++i) // of 12 edges each, 6 pixels long where all are seen
+    for (int i = 0; i < 9000; ++i) // cubes of 12 edges, 6 pixels long when all are in the picture
         text << box("Box",
                     {3.0F * static_cast<float>(i % 95), 3.0F * static_cast<float>(i / 95), 0},
                     8 * i + 1);
@@ -265,7 +265,7 @@ TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
     session().navigation.orbit({0, 0, 0}, {-0.02, 0});
     hand_.rest();
     EXPECT_EQ(picture(), whole);
-    // From so near that they are long.
+    // In a view from nearby the edges are long.
     for (int i = 0; i < 3; ++i) session().note_duration(1);
     session().navigation.dolly({142, 142, 0}, 0.1);
     hand_.rest();
@@ -280,7 +280,8 @@ TEST_F(Viewer, LargeModelsMoveByTheirLongLines) {
 TEST_F(Viewer, PanelsAreLightOrDarkAndFold) {
     const auto sample = [&](const char* name) {
         const Image image = hand_.screenshot(name);
-        return image.pixels[static_cast<std::size_t>(3 * (image.size.x - 3))]; // of the sidebar
+        // A pixel of the sidebar.
+        return image.pixels[static_cast<std::size_t>(3 * (image.size.x - 3))];
     };
     const auto drawing = picture();
     EXPECT_GT(sample("light"), 200);

@@ -1,4 +1,4 @@
-// What can be read: the contrast of texts, and letters of any language.
+// Readable text: its contrast, and letters of any language.
 
 #include <cmath>
 

@@ -71,7 +71,7 @@ TEST_F(Viewer, RestsWhenNothingChanges) {
     EXPECT_EQ(session().frames_drawn(), drawn) << "the picture is kept";
 }
 
-/// A reader that does not come to its end before it is let go.
+/// A reader that does not end before it is released.
 class HeldReader {
   public:
     viewer::Loader::Reader reader() {

@@ -1,5 +1,5 @@
-// Silhouettes of smooth surfaces, with known answers: how many there are, whether they close and
-// how long they are, and that what should be seen of them is.
+// Silhouettes of smooth surfaces with known answers: their number, whether they close, their
+// lengths and their visible parts.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const LineOptions smooth{.crease = std::numbers::pi_v<float>, .silhouettes = Silhouettes::smooth};
 
-/// A grid of places(i, j), of which either direction may be a ring.
+/// A grid of places(i, j). Either direction may be a ring.
 template <class Place>
 Mesh surface(std::uint32_t rows, std::uint32_t columns, bool row_ring, bool column_ring,
              const Place& place) {
@@ -61,7 +61,7 @@ Mesh torus() {
     });
 }
 
-/// Of radius 1 about y, from -2 to 2 with its caps.
+/// A capsule of radius 1 about y, from -2 to 2 with its caps.
 Mesh capsule() {
     return surface(50, 96, false, true, [](std::uint32_t i, std::uint32_t j) {
         const std::uint32_t step = i < 25 ? i : i - 1;
@@ -73,7 +73,7 @@ Mesh capsule() {
     });
 }
 
-/// About y, of radius 1 at its foot and as high; open below.
+/// A cone about y, of radius 1 at its foot and of height 1; open below.
 Mesh cone() {
     return surface(33, 96, false, true, [](std::uint32_t i, std::uint32_t j) {
         const float height = static_cast<float>(i) / 32, around = turn(j, 96);
@@ -85,7 +85,7 @@ float saddle_at(std::uint32_t i) {
     return static_cast<float>(i) / 32 - 1;
 }
 
-/// z = x² - y² between -1 and 1.
+/// The surface z = x² - y² between -1 and 1.
 Mesh saddle() {
     return surface(65, 65, false, false, [](std::uint32_t i, std::uint32_t j) {
         const float x = saddle_at(j), y = saddle_at(i);
@@ -96,7 +96,7 @@ Mesh saddle() {
 struct Chain {
     bool closed;
     double length; ///< in space
-    double buried; ///< of that: in the part that it bounds
+    double buried; ///< the part of `length` that is within the body's own region
 };
 
 /// The chains that kernels make of a line set's silhouettes, longest first.
@@ -143,13 +143,14 @@ TEST(Contours, OfASphereAreOneCircle) {
         SCOPED_TRACE(view);
         const glm::vec3 to_eye = random.direction();
         expect_loops(chains_of(lines, {to_eye, 0}), {2 * pi}, 1e-3);
-        // From a distance of 3 a smaller circle is seen.
+        // From a distance of 3 the outline is a smaller circle.
         expect_loops(chains_of(lines, {3.0F * to_eye, 1}), {2 * pi * std::sqrt(1 - 1.0 / 9)}, 1e-3);
     }
 }
 
-/// Where tan(across) = -cos(around) x / y, of a view along (x, y, 0): two places to each `around`.
-/// Buried is where the surface bends away from its normal along the view.
+/// The contour of the torus in a view along (x, y, 0): the places with tan(across) = -cos(around) x
+/// / y, two for each `around`. Buried parts are those where the surface bends away from its normal
+/// along the view.
 Chain torus_contour(double x, double y, bool far) {
     constexpr int steps = 20000;
     Chain contour{.closed = true, .length = 0, .buried = 0};
@@ -175,7 +176,7 @@ TEST(Contours, OfATorusAreTwoLoops) {
     const LineSet lines = extract_lines(torus(), smooth);
     for (int view = 1; view <= 20; ++view) {
         SCOPED_TRACE(view);
-        const double angle = 0.5 * pi * view / 21; // above the plane that it lies in
+        const double angle = 0.5 * pi * view / 21; // above the plane of the torus
         const double x = std::cos(angle), y = std::sin(angle);
         const glm::vec3 to_eye{x * 0.8, y, x * 0.6}; // and around
         const std::vector<Chain> found = chains_of(lines, {to_eye, 0});
@@ -226,7 +227,7 @@ TEST(Contours, OfAConeGoUpAndDown) {
         const float around = turn(view, 20) + 0.01F;
         const std::vector<Chain> found =
             chains_of(lines, {std::cos(around), 0.02F, std::sin(around), 0});
-        ASSERT_EQ(found.size(), 1U); // over the tip
+        ASSERT_EQ(found.size(), 1U); // the silhouette passes over the tip
         EXPECT_FALSE(found[0].closed);
         EXPECT_NEAR(found[0].length, 2 * std::sqrt(2.0), 0.03);
     }
@@ -238,7 +239,7 @@ TEST(Contours, OfAWallSeenEdgeOnStandAtItsNearEnd) {
         for (int k = 0; k < 3; ++k) {
             const glm::vec3 p = body.positions[t[k]];
             glm::vec3 normal = glm::normalize(p - glm::vec3{0, std::clamp(p.y, -1.0F, 1.0F), 0});
-            normal.y += t[k] % 2 == 0 ? 1e-6F : -1e-6F; // as rounding may have it
+            normal.y += t[k] % 2 == 0 ? 1e-6F : -1e-6F; // like rounding
             body.corner_normals.push_back(normal);
         }
     }
@@ -256,7 +257,8 @@ TEST(Contours, OfASaddleAreALineFromBorderToBorder) {
     Random random{64};
     for (int view = 0; view < 20; ++view) {
         SCOPED_TRACE(view);
-        // Where 2 x vx = 2 y vy + vz, with |x| and |y| below 1: for these views y from -1 to 1.
+        // The silhouette is at 2 x vx = 2 y vy + vz with |x| and |y| below 1. In these views y goes
+        // from -1 to 1.
         const float tilt = random.between(-0.3F, 0.3F), rise = random.between(-0.4F, 0.4F);
         const glm::vec3 to_eye{1, tilt, rise};
         double length = 0;
@@ -313,21 +315,20 @@ TEST(Contours, OfASphereAreSeenWhole) {
     }
 }
 
-/// Seen from a little above the plane that it lies in, the near side of a torus hides a part of the
-/// far loop.
+/// In a view from slightly above the plane of a torus, the near side hides a part of the far loop.
 TEST(Contours, OfATorusAreHiddenInParts) {
     const LineSet lines = extract_lines(torus(), smooth);
     const Camera camera = parallel_view(glm::normalize(glm::vec3{0.9F, 0.35F, 0.2F}));
     const LineSet edges = extract_lines(torus(), {.crease = smooth.crease});
     const double along_edges = length_of(LineVisibility{edges}.find(camera), true);
     const double seen = length_of(LineVisibility{lines}.find(camera), true);
-    EXPECT_LT(seen, along_edges); // which zigzag
+    EXPECT_LT(seen, along_edges); // edges zigzag
     EXPECT_GT(seen, 0.85 * along_edges);
     EXPECT_GT(length_of(LineVisibility{lines}.find(camera, {.hidden = true}), false), 50);
 }
 
-/// About y, by places (radius, height) of its outline, bottom to top: a crease at each, and the
-/// normals of cones between them.
+/// A body about y. outline: its places (radius, height) from bottom to top. Each place is a crease,
+/// with normals of cones between them.
 Mesh turned_body(const std::vector<glm::vec2>& outline, std::uint32_t sides) {
     Mesh mesh;
     const auto about = [&](glm::vec2 place, std::uint32_t column) {
@@ -373,7 +374,7 @@ double to_other_lines(const VectorDrawing& drawing, const VectorPath& own, glm::
     return nearest;
 }
 
-/// Of a sheet that dips the eye sees the back where it dips: its silhouette is the valley's floor.
+/// Where a sheet dips, the eye sees its back. Its silhouette is the floor of the valley.
 TEST(Contours, OfASheetAreSeenFromItsBackToo) {
     for (const bool turned : {false, true}) {
         Mesh sheet = surface(65, 65, false, false, [](std::uint32_t i, std::uint32_t j) {
@@ -391,8 +392,8 @@ TEST(Contours, OfASheetAreSeenFromItsBackToo) {
     }
 }
 
-/// Of a convex body no silhouette ends but at a crease that goes on, or where both run along each
-/// other within a quarter of a pixel and one is left out.
+/// On a convex body a silhouette ends only at a crease that continues it, or where the two run
+/// within a quarter of a pixel of each other and one is left out.
 TEST(Contours, MeetTheCreasesThatGoOn) {
     const LineSet lines =
         extract_lines(turned_body({{0, -1.2F}, {0.7F, -1.2F}, {1.4F, 0}, {1.1F, 1}, {0, 1}}, 32),
@@ -414,7 +415,7 @@ TEST(Contours, MeetTheCreasesThatGoOn) {
     EXPECT_GT(ends, 60);
 }
 
-/// The wall of a bore is hollow: no eye outside sees it turn away.
+/// The wall of a bore is hollow, so that no eye outside sees it turn away.
 TEST(Contours, OfABoreAreHidden) {
     const LineSet lines = extract_lines(
         turned_body({{1, -0.5F}, {1.8F, -0.5F}, {1.8F, 0.5F}, {1, 0.5F}, {1, -0.5F}}, 40),
@@ -438,7 +439,7 @@ TEST(Contours, OfABoreAreHidden) {
     EXPECT_GT(outside, 1000);
 }
 
-/// Of a rough ball too the outline has no gap of more than two pixels.
+/// The outline of a rough ball, too, has no gap of more than two pixels.
 TEST(Contours, OfARoughBallAreSeenAllAround) {
     Mesh ball = sphere(5);
     Random random{68};
@@ -446,7 +447,7 @@ TEST(Contours, OfARoughBallAreSeenAllAround) {
     const LineSet lines = extract_lines(ball, smooth);
     for (int view = 0; view < 3; ++view) {
         const Camera camera = parallel_view(random.direction());
-        constexpr int directions = 600; // a pixel each
+        constexpr int directions = 600; // one per pixel of the outline
         std::array<bool, directions> seen{};
         for (const Interval& one : LineVisibility{lines}.find(camera)) {
             for (int k = 0; k <= 8; ++k) {
@@ -467,7 +468,7 @@ TEST(Contours, OfARoughBallAreSeenAllAround) {
     }
 }
 
-/// Paths say over which place of a triangle a contour runs.
+/// Paths name the places on triangles over which a contour runs.
 TEST(Contours, NameTrianglesAndPlacesOverThem) {
     const Mesh body = sphere(4);
     const LineSet lines = extract_lines(body, smooth);
@@ -480,12 +481,12 @@ TEST(Contours, NameTrianglesAndPlacesOverThem) {
         const glm::uvec3 corners = body.triangles[piece.source.triangle];
         for (const glm::vec3 over : {piece.over_start, piece.over_end}) {
             EXPECT_NEAR(over.x + over.y + over.z, 1, 1e-5);
-            // From side to side.
+            // A contour crosses a triangle from side to side.
             EXPECT_LT(std::min({over.x, over.y, over.z}), 0.02F);
             const glm::vec3 place = over.x * body.positions[corners.x] +
                                     over.y * body.positions[corners.y] +
                                     over.z * body.positions[corners.z];
-            EXPECT_NEAR(place.z, 0, 0.01F); // of a ball seen along z
+            EXPECT_NEAR(place.z, 0, 0.01F); // the contour of a ball seen along z
         }
     }
 }
@@ -506,12 +507,12 @@ TEST(Contours, AreDrawnByTheAtlasToo) {
             EXPECT_NEAR(length_of(renderer.read_intervals(), true), 2 * pi * 100, 8);
             EXPECT_LT(length_of(renderer.read_intervals(), false), 4);
         }
-        // Others draw edges.
+        // Other methods draw edges.
         options.method = Method::atlas;
     }
 }
 
-/// Of radius 1; its vertices are off by up to so many edges.
+/// A ball of radius 1 whose vertices are off by up to `noise` edges.
 Mesh rough_sphere(float noise) {
     Mesh mesh = sphere(5);
     const glm::uvec3 t = mesh.triangles[0];
@@ -527,7 +528,8 @@ VectorDrawing seen_of(const LineSet& lines, const Camera& camera) {
     return make_vector_drawing(lines, camera, LineVisibility{lines}.find(camera), Style{});
 }
 
-/// Of 360 ways from the middle of a picture those that meet no line near a circle, pixels.
+/// The number of rays, of 360 from the middle of the picture, that meet no line within `reach` of
+/// the circle. radius, reach: pixels.
 int gaps_beside(const VectorDrawing& drawing, double radius, double reach) {
     std::array<bool, 360> met{};
     for (const VectorPath& path : drawing.paths) {
@@ -560,7 +562,8 @@ TEST(Contours, OfARoughBallHaveNeitherGapsNorCrumbs) {
     }
 }
 
-/// A bowl whose inside is seen: its outline goes from the surface to the border without a gap.
+/// The eye sees the inside of a bowl. The outline goes from the surface to the border without a
+/// gap.
 TEST(Contours, OfAnOpenScanMeetItsBorder) {
     Random random{72};
     Mesh bowl = sphere(4);
@@ -587,7 +590,7 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     EXPECT_EQ(contours.contours.faces.size(), body.triangles.size());
     EXPECT_EQ(contours.contours.replaced, edges.segments.size());
     EXPECT_EQ(contours.segments.size(), edges.segments.size() + body.triangles.size());
-    // A coarse body, and one of flat faces, is none that somebody sculpted.
+    // A coarse body and a body of flat faces are not sculpted.
     const auto has_none = [](const Mesh& mesh) {
         return extract_lines(mesh, {.silhouettes = Silhouettes::automatic}).contours.empty();
     };
@@ -595,7 +598,7 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     EXPECT_TRUE(has_none(sphere(2)));
     EXPECT_FALSE(has_none(sphere(5)));
     EXPECT_TRUE(has_none(rough_sphere(0.1F)));
-    // What is open may show its back; what is inside out is turned.
+    // An open body may show its back, and a body that is inside out is turned.
     Mesh open = body;
     open.triangles.pop_back();
     EXPECT_TRUE(has_none(open));
@@ -606,7 +609,7 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     EXPECT_TRUE(has_none(cylinder(64, true)));
     EXPECT_FALSE(
         extract_lines(cylinder(64, true), {.silhouettes = Silhouettes::smooth}).contours.empty());
-    // But a coarse body whose file knows its surface is smooth by itself.
+    // But a coarse body is smooth by itself if its file knows its surface.
     Mesh exact = sphere(1);
     for (const glm::uvec3& t : exact.triangles)
         for (int k = 0; k < 3; ++k)
@@ -617,7 +620,7 @@ TEST(Contours, StandForEdgesOfWhatIsSmooth) {
     EXPECT_EQ(smooth_faces(), exact.triangles.size());
     for (std::size_t i = 0; i < 3; ++i) exact.corner_normals[i] = glm::vec3{0};
     EXPECT_LT(smooth_faces(), exact.triangles.size());
-    // So has what moves.
+    // Objects that can move have contours, too.
     EXPECT_EQ(extract_lines(body, {.separate_objects = true, .silhouettes = Silhouettes::smooth})
                   .contours.faces.size(),
               body.triangles.size());
@@ -638,8 +641,8 @@ TEST(Contours, EmptyRoomOfAnAssemblyLiesBesideNothing) {
               (std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 3}, {0, 0, 0}, {0, 0, 0}}));
 }
 
-/// A rim is a side of the triangles that contours run through, and stays a line; so does what an
-/// intersection runs along.
+/// A rim stays a line although it is a side of triangles that contours cross. Edges along an
+/// intersection stay lines, too.
 TEST(Contours, TakeNoOtherLinesAway) {
     Mesh mesh = cylinder(64, true);
     const Mesh box = cube();

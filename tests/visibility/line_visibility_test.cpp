@@ -1,5 +1,5 @@
-// Lines with no GL: the intervals of LineVisibility are those of a renderer's exact frames, bit by
-// bit, and so is what it refuses.
+// Lines without GL. LineVisibility finds the same intervals as a renderer's exact frames, bit by
+// bit, and refuses the same calls.
 
 #include "lineatlas/visibility.hpp"
 
@@ -25,7 +25,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// What a renderer finds.
+/// Finds intervals by a renderer.
 class ByRenderer {
   public:
     explicit ByRenderer(const LineSet& lines, const DeviceOptions& options = {})
@@ -53,7 +53,7 @@ Camera camera_on(const LineSet& lines, glm::ivec2 size = {400, 300}) {
     return make_camera({.eye = {4, 5, 8}, .target = {0, 0, 0}}, size, lines.bounds);
 }
 
-/// What a call gives: intervals, or the text of its error.
+/// The result of a call: intervals, or the text of its error.
 template <class Find>
 std::string outcome(Find&& find) {
     try {
@@ -77,7 +77,7 @@ TEST_P(OnDevice, FindsWhatARendererFindsBitByBit) {
         LineVisibility visibility{lines, device()};
         DeviceOptions of_once = device();
         of_once.one_picture = true;
-        LineVisibility once{lines, of_once}; // it may be asked again all the same
+        LineVisibility once{lines, of_once}; // it can be asked again
         ByRenderer renderer{lines, device()};
         for (const NamedCamera& view : scene_cameras(name, {640, 480})) {
             for (const bool hidden : {false, true}) {

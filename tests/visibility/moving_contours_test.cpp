@@ -1,5 +1,5 @@
-// Silhouettes of smooth surfaces that move: a ball moved by any matrix is an ellipsoid, whose
-// outline is an ellipse that is known.
+// Silhouettes of smooth surfaces that move. A ball moved by any matrix is an ellipsoid, and the
+// outline of an ellipsoid is a known ellipse.
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ glm::mat4 scaled(glm::vec3 by) {
     return glm::scale(glm::mat4{1}, by);
 }
 
-/// To where no other ball is: turned, mirrored, stretched, skewed, and all of that smaller.
+/// Places apart from the other ball: turned, mirrored, stretched, skewed, and all of these smaller.
 std::vector<glm::mat4> places() {
     const glm::mat4 at = glm::translate(glm::mat4{1}, {0.8F, -0.3F, 0});
     const glm::mat4 turn = turned(1.1F, {1, 2, 3}), other = turned(0.7F, {-2, 1, 1});
@@ -58,7 +58,7 @@ std::vector<glm::mat4> places() {
             at * turn * scaled({-0.1F, -0.2F, -0.3F}) * other};
 }
 
-/// Of two balls as two objects: one of radius 0.3 that stays, one of radius 1 about the origin.
+/// Two balls as two objects: one of radius 0.3 that stays, and one of radius 1 about the origin.
 Mesh two_balls() {
     Mesh mesh = sphere(4), small = sphere(3);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -82,7 +82,7 @@ class Ellipse {
         }
     }
 
-    /// From its middle, as a share of the way to it.
+    /// The distance of a point from the middle, as a share of the way to the ellipse.
     double share(glm::dvec2 at) const {
         const glm::dvec2 way = at - centre_;
         return std::sqrt(glm::dot(way, glm::inverse(spread_) * way));
@@ -106,13 +106,13 @@ class Ellipse {
     glm::dmat2 spread_{0};
 };
 
-/// How far off a method may draw it.
+/// The largest errors of a method.
 struct Tolerance {
     double share, length;
 };
 constexpr Tolerance exactly{0.01, 0.01}, by_samples{0.06, 0.04};
 
-/// What is visible of the object that segments are of.
+/// The intervals of one object.
 std::vector<Interval> of_object(const LineSet& lines, std::size_t object,
                                 const std::vector<Interval>& all) {
     std::vector<Interval> own;
@@ -142,7 +142,7 @@ void expect_loops(const LineSet& lines, const Camera& camera, const std::vector<
     for (const VectorPath& path : drawing.paths) EXPECT_TRUE(path.closed);
 }
 
-/// A renderer, and what it shows.
+/// A renderer and its picture.
 class Shown {
   public:
     explicit Shown(const char* device) : renderer{{.compute = device}} {}
@@ -191,7 +191,7 @@ TEST_P(MovingContours, OfABallAreTheEllipseThatItBecomes) {
     }
 }
 
-/// The renderer draws what was moved on the device as what was made there.
+/// The renderer draws moved objects like objects that were made at their new places.
 TEST_P(MovingContours, AreThoseOfLinesThatStandThere) {
     const LineSet lines = extract_lines(two_balls(), smooth);
     shown_.renderer.set_lines(lines);
@@ -212,7 +212,7 @@ TEST_P(MovingContours, AreThoseOfLinesThatStandThere) {
                 ASSERT_NEAR(a[i].start[axis], b[i].start[axis], 1e-2F);
         }
     }
-    // Back where it was made nothing is different, bit by bit.
+    // Back at its first place the object is drawn as before, bit by bit.
     const std::array home{glm::mat4{1}, glm::mat4{1}};
     shown_.renderer.set_transforms(home);
     still.renderer.set_lines(lines);
@@ -227,8 +227,8 @@ TEST_P(MovingContours, AreThoseOfLinesThatStandThere) {
     }
 }
 
-/// What a mirror image shows is the mirror image of what is shown, also where silhouettes end at
-/// creases, whose faces both look away behind the body.
+/// The picture of a mirrored body is the mirror image of the picture, also where silhouettes end at
+/// creases. Behind the body both faces of a crease look away.
 TEST_P(MovingContours, EndAtTheSameCreasesInAMirror) {
     const LineSet lines = extract_lines(
         cylinder(14, true), {.separate_objects = true, .silhouettes = Silhouettes::smooth});
@@ -249,7 +249,7 @@ TEST_P(MovingContours, EndAtTheSameCreasesInAMirror) {
         ASSERT_EQ(found.size(), wanted.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             ASSERT_EQ(found[i].segment, wanted[i].segment);
-            // Of silhouettes the side that shows its front is left of one, and right of the other.
+            // The front lies to the left of one silhouette and to the right of its mirror image.
             const auto as_wanted = [&](const float* start, const float* end) {
                 return std::abs(400 - start[0] - wanted[i].start[0]) < 0.02F &&
                        std::abs(start[1] - wanted[i].start[1]) < 0.02F &&
@@ -276,7 +276,7 @@ TEST_P(MovingContours, OfAHiddenObjectAreGone) {
 
 TEST_P(MovingContours, OfAnotherShapeGoByItsTriangles) {
     Mesh ball = sphere(4);
-    // Normals of a file are right no more.
+    // The normals of the file are wrong now.
     for (const glm::uvec3& t : ball.triangles)
         for (int k = 0; k < 3; ++k)
             ball.corner_normals.push_back(glm::normalize(ball.positions[t[k]]));
@@ -285,7 +285,7 @@ TEST_P(MovingContours, OfAnotherShapeGoByItsTriangles) {
     for (const glm::mat4& shape : {places()[2], places()[4]}) {
         std::vector<glm::vec3> positions;
         for (const glm::vec3 p : ball.positions) positions.emplace_back(shape * glm::vec4{p, 1});
-        // What a mirror image makes of a mesh is inside out.
+        // A mirror image turns a mesh inside out.
         if (glm::determinant(glm::mat3{shape}) < 0)
             for (std::size_t i = 0; i < positions.size(); ++i)
                 positions[i] =
@@ -304,11 +304,11 @@ TEST_P(MovingContours, OfAnotherShapeGoByItsTriangles) {
             LineVisibility{bent, {.compute = GetParam()}}.find(camera);
         expect_ellipse(host, expected, exactly);
         expect_loops(bent, camera, host, 1);
-        // And moved, in that shape.
+        // The bent body is moved, too.
         const glm::mat4 turn = turned(2, {3, 1, -1});
         shown_.renderer.set_transforms(std::array{turn});
         expect_ellipse(shown_.by(Method::exact, camera), {turn * shape, camera}, exactly);
-        // On another device, too.
+        // The same on another device.
         shown_.renderer.set_positions(0, bent.vertices);
         shown_.renderer.set_device({.compute = "cpp"});
         expect_ellipse(shown_.by(Method::exact, camera), {turn * shape, camera}, exactly);
@@ -334,7 +334,7 @@ TEST_P(MovingContours, OfPartsComeAndGo) {
             expect_ellipse(of_object(scene.lines(), objects[i], found), {stand[i], camera},
                            exactly);
     };
-    const std::uint32_t plain = scene.add(extract_lines(cube())).front(); // which has none
+    const std::uint32_t plain = scene.add(extract_lines(cube())).front(); // which has no contours
     shown_.renderer.set_lines(scene);
     scene.remove(plain);
     const std::uint32_t a = scene.add(ball(at(-1.2F, 0.4F))).front();
@@ -351,14 +351,14 @@ TEST_P(MovingContours, OfPartsComeAndGo) {
     EXPECT_EQ(d, b);
     shown_.renderer.set_lines(scene);
     check(std::array{a, c, d}, std::array{at(-1.2F, 0.4F), at(1.3F, 0.5F), at(0, 0.3F)});
-    // Moved, and of another shape then.
+    // The objects are moved, and then get another shape.
     std::vector<glm::mat4> transforms(scene.lines().objects.size(), glm::mat4{1});
     transforms[d] = turned(0.4F, {1, 1, 0}) * scaled({1.5F, -1, 0.8F});
     shown_.renderer.set_transforms(transforms);
     const std::vector<Interval> found = shown_.by(Method::exact, camera);
     expect_ellipse(of_object(scene.lines(), d, found), {transforms[d] * at(0, 0.3F), camera},
                    exactly);
-    // One line set of them all is the same.
+    // A single line set of all objects gives the same.
     const std::vector<Interval> host =
         LineVisibility{scene.lines(), {.compute = GetParam()}}.find(camera);
     expect_loops(scene.lines(), camera, host, 3);

@@ -1,4 +1,4 @@
-// Meshes of OpenMesh (lineatlas/openmesh.hpp): what comes of them, and the way back to their edges.
+// Meshes of OpenMesh (lineatlas/openmesh.hpp): their lines, and the way from lines back to edges.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include <glm/geometric.hpp>
 
-// OpenMesh's vectors are not initialised when a property is made; GCC warns where that is inlined.
+// OpenMesh makes properties of uninitialised vectors. GCC warns where that code is inlined.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -41,7 +41,7 @@ FaceHandle add_face(HalfedgeMesh& mesh, const std::vector<int>& corners) {
     return mesh.add_face(handles);
 }
 
-/// Corners at 0 and 1 along each axis, of quads or of triangles as the mesh has them.
+/// A cube from 0 to 1, of quads or triangles, depending on the type of the mesh.
 template <class HalfedgeMesh>
 HalfedgeMesh cube(double far = 0) {
     using Point = typename HalfedgeMesh::Point;
@@ -209,7 +209,7 @@ TEST(OpenMeshModel, GroupsByAPropertyOfFaces) {
     };
     model.set_groups(part);
     expect_groups("7", "-3");
-    model.set_groups(material); // in place of those
+    model.set_groups(material); // in place of the earlier groups
     expect_groups("steel", "brass");
 }
 
@@ -228,7 +228,7 @@ TEST(OpenMeshModel, DeletedAndHiddenFacesAreLeftOut) {
     EXPECT_EQ(faces, (std::set<int>{1, 2, 4, 5}));
     const LineSet lines = extract_lines(model.mesh());
     edges_of(source, model, lines, all_line_kinds);
-    // The hidden face and the deleted one have an edge in common, which nothing is left of.
+    // The hidden face and the deleted one had a common edge, which is gone.
     EXPECT_EQ(lines.kind_counts[LA_KIND_BOUNDARY], 6U);
     EXPECT_EQ(lines.kind_counts[LA_KIND_CREASE], 5U);
 }
@@ -240,7 +240,7 @@ TEST(OpenMeshModel, NormalsOfCorners) {
     source.request_halfedge_normals();
     source.request_vertex_normals();
     source.update_normals();
-    for (auto halfedge : source.halfedges()) { // longer by the corner, which tells corners apart
+    for (auto halfedge : source.halfedges()) { // lengths by corner tell corners apart
         const auto corner = static_cast<float>(source.to_vertex_handle(halfedge).idx());
         source.set_normal(halfedge, {corner, 1, 0});
     }
@@ -277,7 +277,7 @@ TEST(OpenMeshModel, NormalsOfCorners) {
 
 TEST(OpenMeshModel, FarFromZeroItIsAboutAnOrigin) {
     auto source = cube<Triangles>(1e8 + 0.25);
-    source.add_vertex({0, 0, 0}); // which no face has
+    source.add_vertex({0, 0, 0}); // a vertex without faces
     const OpenMeshModel model{source};
     EXPECT_GT(model.origin().x, 9e7);
     ASSERT_EQ(model.mesh().positions.size(), 9U);

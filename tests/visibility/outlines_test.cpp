@@ -1,5 +1,5 @@
-// Outlines and pens by rule, with known answers: which lines have the background on one side, in
-// paths and in pictures, and which pen draws what.
+// Outlines and pens by rule, with known answers: the lines beside the background, in paths and in
+// pictures, and the pen of every line.
 
 #include <algorithm>
 #include <array>
@@ -74,7 +74,7 @@ glm::dvec2 on_screen(const Camera& camera, glm::vec3 point) {
     return {(clip.x / clip.w + 1) * 0.5 * size.x, (1 - clip.y / clip.w) * 0.5 * size.y};
 }
 
-/// Ends of paths of the outline that no other end of one is within `gap` of.
+/// The number of ends of the outline's paths that have no other end within `gap`.
 int loose_ends(const VectorDrawing& drawing, double gap) {
     std::vector<glm::dvec2> ends;
     for (const VectorPath& path : drawing.paths) {
@@ -106,7 +106,7 @@ void add_box(Mesh& mesh, glm::vec3 low, glm::vec3 high, const MeshGroup& group) 
 }
 
 TEST(Outlines, ReachTheTipsOfAcuteCorners) {
-    // A flat pyramid from above: its base of 27, 63 and 90 degrees is the outline.
+    // A flat pyramid from above. Its outline is its base, a triangle of 27, 63 and 90 degrees.
     Mesh mesh;
     mesh.positions = {{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {1, -0.3F, 1}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -134,7 +134,7 @@ TEST(Outlines, OfACubeAreTheSixEdgesOfItsBorder) {
     for (const bool parallel : {false, true}) {
         SCOPED_TRACE(parallel);
         const Camera camera = corner_view(lines, parallel);
-        // The corner towards the eye has the three edges within.
+        // The three edges at the corner towards the eye are the inner ones.
         double border = 0, within = 0;
         for (const float a : {-1.0F, 1.0F}) {
             for (const float b : {-1.0F, 1.0F}) {
@@ -201,7 +201,7 @@ TEST(Outlines, OfASphereAreClosed) {
 }
 
 TEST(Outlines, ThinPartsHaveNone) {
-    // Seen from the front, 40 pixels a unit: strips of 4, 10, 20 and 80 pixels.
+    // In the view from the front a unit has 40 pixels. The strips are 4, 10, 20 and 80 pixels wide.
     for (const auto& [pixels, depth, has_one] : {std::tuple{4, 6.0F, false},
                                                  {10, 6.0F, true},
                                                  {10, 12.0F, false},
@@ -279,17 +279,17 @@ TEST(Pens, OfPicturesAreThoseOfTheRules) {
     };
     const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
     Style style = with_outline();
-    style.pens.front().color = glm::vec3{1, 0, 0}; // takes green and blue away, not red
+    style.pens.front().color = glm::vec3{1, 0, 0}; // absorbs green and blue, but not red
     for (const Method method : {Method::exact, Method::atlas}) {
         SCOPED_TRACE(static_cast<int>(method));
         const std::array<double, 3> found = ink(method, style);
-        // The outline lies over three ends of what is within.
+        // The outline covers an end of each of the three inner lines.
         const double within = 2 * (length_of(drawing, false) - 3 * 3);
         const double border = 6 * length_of(drawing, true);
         EXPECT_NEAR(found[0], within, 0.06 * within);
         EXPECT_NEAR(found[1] - found[0], border, 0.04 * border);
     }
-    // One rule for all lines is the same as a style of that width.
+    // One rule for all lines gives the same as a style with that width.
     Style ruled, plain;
     ruled.pens.push_back({.match = {}, .width = 5});
     plain.pen.width = 5;
@@ -345,7 +345,7 @@ Style with_hidden_rules() {
     return style;
 }
 
-/// Two boxes side by side, of which "right" has another object's name.
+/// Two boxes side by side. The right one is another object, "right".
 LineSet two_boxes() {
     Mesh mesh;
     add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "left", .material = ""});
@@ -375,14 +375,14 @@ TEST(Pens, HiddenLinesHaveRulesOfTheirOwn) {
     }
     EXPECT_EQ(names, (std::vector<std::string>{"crease-hidden", "crease-hidden-2", "crease"}));
     EXPECT_EQ(widths, (std::vector<float>{2, 4, 3}));
-    // Rules for hidden lines alone leave visible ones as they are, and the other way round.
+    // Rules for hidden lines do not change visible ones, and the other way round.
     Style style = with_hidden_rules();
     style.pens.erase(style.pens.begin());
     EXPECT_EQ(drawing_of(lines, corner_view(lines), style).pens.size(), 1U);
     style = with_hidden_rules();
     style.pens.resize(1);
     EXPECT_EQ(drawing_of(lines, corner_view(lines), style).hidden_pens.size(), 1U);
-    // A rule for what is not drawn says so.
+    // A rule for lines that are not drawn is reported as idle.
     EXPECT_TRUE(idle_rules(line_classes(lines), with_hidden_rules()).empty());
     style = with_hidden_rules();
     style.hidden = false;
@@ -418,8 +418,8 @@ TEST(Pens, OfHiddenLinesOfPicturesAreThoseOfTheRules) {
             const bool right = path.points.front().world.x > 0;
             (right ? green : blue) += (right ? 4 : 2) * length_of(path);
         }
-        // Green takes red and blue away, blue takes red and green; ends of visible lines cover
-        // some.
+        // Green lines absorb red and blue, and blue ones red and green. Ends of visible lines cover
+        // some of them.
         EXPECT_NEAR(ink[2], green, 0.1 * green);
         EXPECT_NEAR(ink[1], blue, 0.1 * blue);
     }

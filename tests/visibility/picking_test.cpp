@@ -1,5 +1,5 @@
-// What is seen at a point of a picture: known answers of cubes, and of scenes what their intervals
-// say.
+// Picking at a point of a picture. The answers for cubes are known; those for scenes come from
+// their intervals.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@
 namespace lineatlas::test {
 namespace {
 
-/// A cube in front of another of half its size, which is seen on its right: objects 0 and 1.
+/// A cube, and behind it one of half its size, which shows to the right of it: objects 0 and 1.
 Mesh two_cubes() {
     Mesh mesh = cube();
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());
@@ -41,7 +41,7 @@ const LineSet& two() {
     return lines;
 }
 
-/// Along -z, parallel, 100 pixels to a unit: the origin is at (200, 200).
+/// A parallel view along -z with 100 pixels to a unit. The origin is at (200, 200).
 Camera straight(const LineSet& lines) {
     View view{.eye = {0, 0, 10}, .projection = Projection::orthographic};
     return make_camera(with_shown_height(view, 4), {400, 400}, lines.bounds);
@@ -60,7 +60,7 @@ TEST(Picking, FindsTheEdgeThatIsNear) {
     EXPECT_EQ(found->object, 0U);
     EXPECT_NEAR(found->distance, 2, 1e-3F);
     EXPECT_LT(glm::distance(found->position, glm::vec2{300, 210}), 1e-3F);
-    expect_near(found->world, {1, 0.1F, 1}, 1e-5F); // in front: its twin at z = -1 lies behind it
+    expect_near(found->world, {1, 0.1F, 1}, 1e-5F); // not the edge behind it at z = -1
     ASSERT_LT(found->segment, two().sources.size());
     const LineSource& edge = two().sources[found->segment];
     const Mesh mesh = two_cubes();
@@ -144,7 +144,7 @@ TEST(Picking, AgreesWithTheIntervalsOfTheWholePicture) {
                 constexpr float radius = 12;
                 const std::optional<Pick> found = visibility.pick(camera, point, radius);
                 const bool is_line = found && found->segment != Pick::none;
-                // Ends of what is visible are found to some hundredths of a pixel.
+                // Ends of visible parts are exact to some hundredths of a pixel.
                 if (std::abs(nearest - radius) < 0.1F) continue;
                 ASSERT_EQ(is_line, nearest < radius) << name << ' ' << point.x << ' ' << point.y;
                 if (!found) continue;

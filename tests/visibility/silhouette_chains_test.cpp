@@ -1,5 +1,5 @@
-// Silhouettes of whole models in chains: what closed bodies have is loops, and what comes back of a
-// frame stands in the order of the line set.
+// Silhouettes of whole models in chains. Those of closed bodies are loops, and the tables of a
+// frame come back in the order of the line set.
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +23,11 @@ namespace lineatlas::test {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-/// Without creases: all edges of a body are candidates.
+/// Without creases, so that all edges of a body are candidates.
 const LineOptions smooth{.crease = pi, .silhouettes = Silhouettes::mesh};
 
-/// A surface of revolution about y, closed: through (radius, height), rows of `sides` corners. The
-/// first and last radius are 0, or with `ring` the last place joins the first.
+/// A closed surface of revolution about y with `sides` corners in a row. profile: (radius, height)
+/// of the rows. The first and the last radius are 0, or with `ring` the last row joins the first.
 Mesh revolved(const std::vector<glm::vec2>& profile, std::uint32_t sides, bool ring) {
     Mesh mesh;
     const auto rows = static_cast<std::uint32_t>(profile.size());
@@ -96,7 +96,7 @@ std::vector<Loop> chains_of(const LineSet& lines, glm::vec4 eye) {
     return loops;
 }
 
-/// Outlines of meshes zigzag about the true ones, so that they are a little longer.
+/// Outlines of meshes zigzag about the true ones, so they are slightly longer.
 void expect_outline(const Loop& loop, double length, double most_longer) {
     EXPECT_TRUE(loop.closed);
     EXPECT_GT(loop.length, 0.98 * length);
@@ -105,8 +105,8 @@ void expect_outline(const Loop& loop, double length, double most_longer) {
 
 TEST(SilhouetteChains, OfAClosedBodyAreClosed) {
     Random random{61};
-    // No two triangles in one plane: the edge between such is no candidate, and seen edge on one of
-    // them may be taken for a front and the other for a back.
+    // No two triangles lie in one plane. The edge between two such triangles is no candidate, and
+    // if they are seen edge on, one may be taken for a front and the other for a back.
     for (const Mesh& body : {sphere(3), with_random_radii(sphere(3), random, 0.5F),
                              with_random_radii(torus(), random, 0.99F)}) {
         const LineSet lines = extract_lines(body, smooth);
@@ -145,7 +145,7 @@ TEST(SilhouetteChains, OfACapsuleFromTheSideAreOneStadium) {
     expect_outline(loops[0], 2 * std::numbers::pi + 4, 1.001);
 }
 
-/// Between its rims a cylinder has two, each a line by itself.
+/// A cylinder has two silhouettes between its rims; each is a line by itself.
 TEST(SilhouetteChains, OfACylinderAreTwoLines) {
     const std::vector<Loop> loops = chains_of(extract_lines(cylinder(64, true)), {5, 1, 0, 1});
     ASSERT_EQ(loops.size(), 2U);
@@ -156,7 +156,7 @@ TEST(SilhouetteChains, OfACylinderAreTwoLines) {
 }
 
 TEST(SilhouetteChains, OfAWallSeenEdgeOnAreAtItsNearBorder) {
-    // A round wall between two cones, as rough as rounding makes it, seen along it.
+    // A round wall between two cones, with the roughness of rounding, in a view along the wall.
     Random random{63};
     constexpr std::uint32_t sides = 48;
     Mesh body = revolved({{0, -1.2F}, {0.5F, -1.1F}, {1, -1}, {1, 1}, {0.5F, 1.1F}, {0, 1.2F}},
@@ -183,7 +183,8 @@ TEST(SilhouetteChains, OfAWallSeenEdgeOnAreAtItsNearBorder) {
 
 TEST(SilhouetteChains, IntervalsComeBackInTheOrderOfTheLineSet) {
     const LineSet lines = extract_lines(sphere(4), smooth);
-    Camera camera; // parallel: shares of a segment are the same in space and on the screen
+    Camera camera; // parallel, because then shares of a segment are the same in space and on the
+                   // screen
     camera.size = {300, 300};
     camera.view = glm::lookAt(glm::vec3{2, 1, 3}, glm::vec3{0}, glm::vec3{0, 1, 0});
     camera.projection = glm::ortho(-1.2F, 1.2F, -1.2F, 1.2F, 0.1F, 8.0F);

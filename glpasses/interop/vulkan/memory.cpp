@@ -18,7 +18,7 @@ constexpr const char* file = "libvulkan.so.1";
 constexpr VkExternalMemoryHandleTypeFlagBits opaque = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 constexpr std::array extensions{VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME};
 
-// llvmpipe takes no memory for a buffer without some behind it.
+// llvmpipe refuses memory that is no larger than the buffer.
 constexpr std::size_t room_behind = 4096;
 
 void check(VkResult result, const char* call) {
@@ -26,7 +26,7 @@ void check(VkResult result, const char* call) {
         throw DeviceError("Vulkan's " + std::string{call} + " returned " + std::to_string(result));
 }
 
-/// A struct of Vulkan's, empty but for what says which it is.
+/// A Vulkan struct with only its type set.
 template <class Struct>
 Struct empty(VkStructureType type) {
     Struct result{};
@@ -34,16 +34,16 @@ Struct empty(VkStructureType type) {
     return result;
 }
 
-/// The library's only symbol, which finds all others. The library stays: drivers that it has loaded
-/// do not bear its end.
+/// The library's only symbol, which finds all others. The library stays loaded, because drivers
+/// that it has loaded do not survive its end.
 PFN_vkGetInstanceProcAddr load() {
     static void* const library = ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) throw DeviceError(std::string{"there is no "} + file);
     return reinterpret_cast<PFN_vkGetInstanceProcAddr>(::dlsym(library, "vkGetInstanceProcAddr"));
 }
 
-/// Its objects stay until the process ends: where NVIDIA's driver had ended an instance, no GL
-/// context was current any more.
+/// A device whose objects stay until the process ends. When NVIDIA's driver ends an instance, no GL
+/// context is current any more.
 class Device final : public VulkanMemory {
   public:
     /// Throws DeviceError if there is no device of that name, or it does not export memory.
@@ -66,7 +66,7 @@ class Device final : public VulkanMemory {
         const auto allocate = of_device<PFN_vkAllocateMemory>("vkAllocateMemory");
         check(allocate(device_, &info, nullptr, &memory), "vkAllocateMemory");
         ExportedMemory result{info.allocationSize, descriptor_of(memory), descriptor_of(memory)};
-        // Descriptors hold what is behind it.
+        // The descriptors hold the memory.
         of_device<PFN_vkFreeMemory>("vkFreeMemory")(device_, memory, nullptr);
         if (!result.for_gl.is_open() || !result.for_compute.is_open())
             throw DeviceError("Vulkan's vkGetMemoryFdKHR failed");
@@ -116,7 +116,7 @@ class Device final : public VulkanMemory {
     void make_device(VkPhysicalDevice physical) {
         constexpr float priority = 1;
         auto queue = empty<VkDeviceQueueCreateInfo>(
-            VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO); // a device must have one
+            VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO); // a device must have a queue
         queue.queueCount = 1;
         queue.pQueuePriorities = &priority;
         auto info = empty<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
@@ -128,7 +128,7 @@ class Device final : public VulkanMemory {
               "vkCreateDevice");
     }
 
-    /// The device's own memory, as buffers take it.
+    /// Chooses the device's own memory among the types that buffers take.
     void choose_type(VkPhysicalDevice physical) {
         const VkMemoryRequirements wanted = requirements();
         VkPhysicalDeviceMemoryProperties memory{};
@@ -163,7 +163,7 @@ class Device final : public VulkanMemory {
         return result;
     }
 
-    /// -1 where that fails.
+    /// The descriptor of memory; closed if that fails.
     FileDescriptor descriptor_of(VkDeviceMemory memory) const {
         auto info = empty<VkMemoryGetFdInfoKHR>(VK_STRUCTURE_TYPE_MEMORY_GET_FD_INFO_KHR);
         info.memory = memory;

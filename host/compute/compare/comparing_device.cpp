@@ -22,7 +22,7 @@ std::size_t position_of(const std::vector<std::string_view>& names, std::string_
     throw UsageError("there is no compute stage \"" + std::string{stage} + "\"; there is " + list);
 }
 
-/// One table on both devices; the first's is the one that counts.
+/// One table on both devices. The first device's content counts.
 class PairBuffer final : public Buffer {
   public:
     PairBuffer(std::unique_ptr<Buffer> a, std::unique_ptr<Buffer> b)
@@ -53,7 +53,7 @@ class Implementation final : public ComparingDevice {
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
         auto made = std::make_unique<PairBuffer>(first_->allocate(bytes), second_->allocate(bytes));
-        // What a kernel leaves as it was is compared, too, and memory is what drivers left in it.
+        // Elements that a kernel leaves alone are compared too, so both tables are cleared first.
         const std::size_t whole = made->size() / sizeof(std::uint32_t) * sizeof(std::uint32_t);
         first_->clear(*made->first, whole);
         second_->clear(*made->second, whole);
@@ -87,7 +87,7 @@ class Implementation final : public ComparingDevice {
 
     void launch(const Launch& launch) override {
         const bool compared = position_of(stages_, launch.kernel.stage) <= last_compared_;
-        // Tables that are written too: what a kernel leaves alone is then equal.
+        // Written tables are copied too, so that elements which a kernel leaves alone are equal.
         for (Buffer* table : launch.tables) {
             if (compared) copy_to_second(pair(*table));
         }

@@ -17,7 +17,7 @@ class ComparingDevice : public Device {
   public:
     struct Summary {
         std::uint64_t kernels = 0;  ///< launches that were compared
-        std::uint64_t elements = 0; ///< of the tables they write
+        std::uint64_t elements = 0; ///< elements of the tables that these launches write
     };
     virtual Summary summary() const = 0;
 };

@@ -33,7 +33,7 @@ std::uint32_t word_at(const std::byte* place) {
     return word;
 }
 
-/// Of values that are not the same bits.
+/// Whether two words with different bits agree.
 bool words_agree(const Field& field, std::uint32_t a, std::uint32_t b) {
     switch (field.kind) {
     case FieldKind::byte:
@@ -78,7 +78,7 @@ bool agree_at(const Field& field, const std::byte* a, const std::byte* b) {
     return word_at(a) == word_at(b) || words_agree(field, word_at(a), word_at(b));
 }
 
-/// In one element.
+/// The first difference in one element.
 std::optional<Difference> difference_in(const Layout& layout, const std::byte* a,
                                         const std::byte* b) {
     for (const Field& field : layout.fields) {
@@ -110,7 +110,7 @@ std::size_t Layout::size() const {
     return bytes;
 }
 
-/// By the names that kernels.h gives them.
+/// The layouts of types, by their names in kernels.h.
 const Layout& layout_of(std::string_view type) {
     static const std::array layouts{
         Layout{"uchar", {{"", FieldKind::byte}}},

@@ -9,16 +9,17 @@
 
 namespace lineatlas::compute {
 
-/// Whether two floats agree within `relative` of the larger magnitude; below `absolute` all do.
+/// Whether two floats agree within `relative` of the larger magnitude. Any two below `absolute`
+/// agree.
 bool agree(float a, float b, float relative = 1e-5F, float absolute = 1e-6F);
 
-/// What a member of a table's element is, and how exactly it must agree.
+/// The type of a member of a table's element, and how exactly it must agree.
 enum class FieldKind {
     byte,       ///< bit by bit
     integer,    ///< 32 bits, bit by bit
     number,     ///< a float, within 1e-5 relative or `absolute`
-    channel,    ///< of a colour: a byte, within one, as rounding has it
-    two_halves, ///< two floats of seven bits of mantissa, within the last of them
+    channel,    ///< a byte of a colour, within one, for rounding
+    two_halves, ///< two floats with seven bits of mantissa, within the last bit
 };
 
 struct Field {
@@ -26,7 +27,7 @@ struct Field {
     FieldKind kind;
     std::size_t count = 1; ///< members in a row
     float relative = 1e-5F;
-    float absolute = 1e-6F; ///< below this floats are equal
+    float absolute = 1e-6F; ///< floats below this are equal
 };
 
 /// The element of a table that stages write.
@@ -37,17 +38,17 @@ struct Layout {
     std::size_t size() const; ///< bytes
 };
 
-/// Of what KernelTable::type names.
+/// The layout of a type that KernelTable::type names.
 const Layout& layout_of(std::string_view type);
 
 /// A place where two tables differ.
 struct Difference {
     std::size_t element;
-    std::string field; ///< such as "start[1]"; empty where an element is one value
+    std::string field; ///< such as "start[1]"; empty if an element is one value
     std::string first, second;
 };
 
-/// The first one; nothing if two tables agree. Both have the same size.
+/// The first difference of two tables of the same size; nothing if they agree.
 std::optional<Difference> first_difference(const Layout& layout, std::span<const std::byte> first,
                                            std::span<const std::byte> second);
 

@@ -1,4 +1,4 @@
-// kernels/atlas.cl for PROBES_PER_AXIS, whole and TILED; takes its macros away.
+// kernels/atlas.cl for PROBES_PER_AXIS, whole and TILED; undefines its macros at the end.
 #define VARIANT_OF(name, probes) name##probes
 #define VARIANT(name, probes) VARIANT_OF(name, probes)
 #define WHOLE VARIANT(in_atlas_, PROBES_PER_AXIS)

@@ -8,8 +8,8 @@ namespace lineatlas::compute {
 /// Operations of this thread so far.
 inline thread_local std::uint64_t counted_operations = 0;
 
-/// A float that counts what is computed with it: sums, differences, products, quotients, roots and
-/// comparisons. As large as a float, and like one wherever kernels use it.
+/// A float that counts operations: sums, differences, products, quotients, roots and comparisons.
+/// It is as large as a float and behaves like one wherever kernels use it.
 struct CountedFloat {
     float value;
 

@@ -1,5 +1,6 @@
-// Lanes (kernels/lanes.h) where operations are counted: one after the other, by the functions for
-// single numbers, with the results of those of opencl_c.hpp, which includes this.
+// Lanes (kernels/lanes.h) for counting operations. Lanes are computed one after the other by the
+// functions for single numbers, with the same results as lanes of opencl_c.hpp, which includes this
+// file.
 
 inline int sum(int a, int b) {
     return static_cast<int>(static_cast<uint>(a) + static_cast<uint>(b));
@@ -53,7 +54,7 @@ struct LanesOf {
     LANES_FUNCTION(T, operator|, OF_TWO, a.each[i] | b.each[i])
     LANES_FUNCTION(T, operator<<, (const LanesOf& a, int bits), a.each[i] << bits)
     LANES_FUNCTION(T, operator>>, (const LanesOf& a, int bits), a.each[i] >> bits)
-    // Of what comparisons give: -1 or 0.
+    // For results of comparisons, which are -1 or 0.
     LANES_FUNCTION(T, operator&&, OF_TWO, a.each[i] & b.each[i])
     LANES_FUNCTION(T, operator||, OF_TWO, a.each[i] | b.each[i])
     LANES_FUNCTION(T, operator!, (const LanesOf& a), ~a.each[i])

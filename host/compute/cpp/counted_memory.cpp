@@ -23,9 +23,9 @@ struct Touched {
 };
 
 thread_local std::vector<Touched> tables;
-thread_local Touched* recent = nullptr; ///< which is touched again, most often
+thread_local Touched* recent = nullptr; ///< most often this table is touched again
 
-/// The table that has this line; null: none, it is a variable of the kernel's own.
+/// The table that has this line; null if the line belongs to a variable of the kernel.
 Touched* table_with(std::uintptr_t at) {
     const auto has = [&](const Touched& table) { return at >= table.first && at <= table.last; };
     if (recent != nullptr && has(*recent)) return recent;
@@ -76,8 +76,8 @@ void note_written(const void* address, std::size_t size) {
 } // namespace
 } // namespace lineatlas::compute
 
-// What the compiler calls, by the names of the thread sanitizer's run-time library, which is not
-// linked.
+// Functions that the compiler calls, with the names of the thread sanitizer's run-time library.
+// That library is not linked.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 
@@ -127,7 +127,7 @@ void* __tsan_memset(void* to, int value, std::size_t size) {
 void __tsan_init() {}
 void __tsan_func_entry(void*) {}
 void __tsan_func_exit() {}
-// One thread runs them: they need not be atomic.
+// These need not be atomic, because one thread runs the kernels.
 std::uint32_t __tsan_atomic32_load(const volatile std::uint32_t* at, int) {
     lineatlas::compute::note_read(const_cast<const std::uint32_t*>(at), sizeof *at);
     return *at;
@@ -138,7 +138,7 @@ std::uint32_t __tsan_atomic32_fetch_add(volatile std::uint32_t* at, std::uint32_
     *at = old + value;
     return old;
 }
-// Clang has this one, g++ the two below.
+// Clang calls this one, g++ the two below.
 std::uint32_t __tsan_atomic32_compare_exchange_val(volatile std::uint32_t* at,
                                                    std::uint32_t expected, std::uint32_t value, int,
                                                    int) {

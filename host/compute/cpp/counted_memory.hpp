@@ -16,8 +16,8 @@ class CountedMemory {
     CountedMemory(const CountedMemory&) = delete;
     CountedMemory& operator=(const CountedMemory&) = delete;
 
-    /// Bytes of the lines of 64 bytes that were read, and of those that were written: each once,
-    /// whatever was touched of it and how often.
+    /// Bytes of the lines of 64 bytes that were read, plus bytes of those that were written. Each
+    /// line counts once, however much of it was touched and how often.
     std::uint64_t bytes() const;
 };
 

@@ -54,7 +54,7 @@ class CountingDevice final : public Device {
         }
         const CountedMemory touched{memory};
         const std::uint64_t before = counted_operations;
-        // cpp's tuning launches none that has barriers.
+        // The tuning of cpp launches no kernel with barriers.
         find_form(counted_kernels(), launch.kernel.name, launch.kernel.defines)
             ->run(launch.parameters.data(), tables.data(), 0, launch.items, launch.items);
         counts_.push_back(
@@ -112,7 +112,7 @@ double measure_arithmetic() {
         const auto compute_piece = [&](std::size_t piece) {
             float result = static_cast<float>(piece);
             operations += compute::multiply_and_add(rounds, result);
-            volatile float seen = result; // it must be computed
+            volatile float seen = result; // so that the result must be computed
             static_cast<void>(seen);
         };
         for_each_index(4 * std::thread::hardware_concurrency(), compute_piece, 1);

@@ -9,8 +9,8 @@
 namespace lineatlas::compute {
 
 /// Runs every kernel as counting C++, on one thread, and adds the counts of each launch to
-/// `counts`, which must outlive the device. Results are those of every other device. Throws
-/// UsageError in a build with sanitizers, which has no such kernels.
+/// `counts`, which must outlive the device. Results are those of any other device. Throws
+/// UsageError in a build with sanitizers, which has no counting kernels.
 std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts);
 
 } // namespace lineatlas::compute

@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::align_val_t alignment{64};
 
-/// What has come before happens before all that follows an `acquire` of the same place. TBB sees to
-/// that by itself; the thread sanitizer does not see into it, and is told.
+/// Tells the thread sanitizer that everything before this call happens before everything after an
+/// `acquire` of the same place. TBB orders both by itself, but the sanitizer does not see how.
 void release([[maybe_unused]] char& place) {
 #ifdef __SANITIZE_THREAD__
     __tsan_release(&place);
@@ -102,21 +102,23 @@ class CppDevice final : public Device {
         std::memset(memory_of(buffer), 0, bytes);
     }
 
-    /// Work-groups in parallel; the work-items of one are a loop.
+    /// Runs work-groups in parallel. The work-items of a group are a loop.
     void launch(const Launch& launch) override {
         const Logged logged{log_.get(),
                             {launch.kernel.name, bytes_moved(launch), launch.items, launch.group}};
         std::array<void*, most_tables> tables{};
         std::ranges::transform(launch.tables, tables.begin(),
                                [](const Buffer* buffer) { return memory_of(*buffer); });
-        char begun = 0, ended = 0; // two: by one place pieces would seem to follow each other
+        // Two places, because with one pieces would seem to follow each other.
+        char begun = 0, ended = 0;
         const auto run = [&](std::size_t first, std::size_t end) {
             acquire(begun);
             run_on_host(launch.kernel, launch.parameters, tables, first, end, launch.items);
             release(ended);
         };
         release(begun);
-        for_each_range(launch.items, launch.group, std::ref(run)); // a frame allocates nothing
+        for_each_range(launch.items, launch.group, std::ref(run)); // std::ref, because frames
+                                                                   // allocate nothing
         acquire(ended);
     }
 
@@ -133,7 +135,7 @@ class CppDevice final : public Device {
         std::uint64_t items = 0;
         std::uint32_t group = 0;
     };
-    /// Notes a command's time when it goes.
+    /// Notes a command's time at its end.
     class Logged {
       public:
         Logged(CppLog* log, const Command& command)

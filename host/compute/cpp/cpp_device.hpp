@@ -6,8 +6,9 @@
 
 namespace lineatlas::compute {
 
-/// The kernels as C++ on all cores (oneTBB), in the calling process: needs no driver. `tuning`:
-/// scans must be by chunks, and the values for which kernels are compiled must be the defaults.
+/// A device that runs kernels as C++ on all cores (oneTBB) in the calling process. It needs no
+/// driver. `tuning`: scans must be by chunks, and values that kernels are compiled for must be the
+/// defaults.
 std::unique_ptr<Device> make_cpp_device(const Tuning& tuning = {});
 
 /// The memory of a buffer of that device.

@@ -20,22 +20,21 @@ struct HostKernel {
     HostFunction run;
 };
 
-/// That of a name and defines among `all`; null if it is not there.
+/// The kernel with this name and these defines among `all`; null if there is none.
 const HostKernel* find_form(std::span<const HostKernel> all, std::string_view name,
                             std::string_view defines);
 
 /// All kernels, compiled for the best instruction set that this processor has.
 std::span<const HostKernel> host_kernels();
 
-/// All kernels that count: what launches them is counting_device.cpp. None in a build with
-/// sanitizers.
+/// All counting kernels, for counting_device.cpp. None in a build with sanitizers.
 std::span<const HostKernel> counted_kernels();
 
 /// Multiplies and adds floats in registers, `rounds` times, as kernels do, without contraction.
-/// Returns how many operations these were; adds to `result`, so that they must be done.
+/// Returns the number of operations. Adds to `result`, so that the compiler cannot leave them out.
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 
-/// That instruction set, such as "avx2".
+/// The name of that instruction set, such as "avx2".
 std::string_view host_instruction_set();
 
 } // namespace lineatlas::compute

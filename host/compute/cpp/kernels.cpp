@@ -1,10 +1,9 @@
 // All kernels as C++, for one instruction set: LINEATLAS_INSTRUCTION_SET names the namespace, and
-// CMake gives the compiler's options. With LINEATLAS_COUNTED floats count what is computed with
-// them.
+// CMake sets the compiler's options. With LINEATLAS_COUNTED floats count operations.
 #include <cstdint>
 #include <utility>
 
-// Kernels are OpenCL C: not all use all of a header, nor all that they are given.
+// Kernels are OpenCL C. Some do not use all functions of a header or all of their arguments.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -59,7 +58,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #endif
 #define DEPTH_TILE 240 // as Tuning::depth_tile
 
-// Each file of kernels in a namespace of its own: CMake lists those that have one form.
+// Each file of kernels is in a namespace of its own. CMake lists the files with one form.
 #include "kernel_files.hpp"
 
 #define NUMBERED
@@ -113,7 +112,7 @@ struct Form<kernel> {
 };
 
 #ifdef LINEATLAS_LEAN
-/// Whether LineVisibility launches kernels of a stage: a lean build has no others.
+/// Whether LineVisibility launches kernels of a stage. A lean build has only those.
 constexpr bool is_built(const char* stage) {
     constexpr const char* others[] = {"atlas",  "carry",   "compact", "cull",    "density",
                                       "depth",  "fill",    "filter",  "halo",    "pens",
@@ -157,7 +156,7 @@ std::span<const HostKernel> kernels() {
 
 #ifndef LINEATLAS_COUNTED
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {
-    // As many chains as hide that each waits for its last sum.
+    // Enough chains to hide that each waits for its last sum.
     constexpr int chains = 8, lanes = 16;
     using Lanes = LanesOf<float, lanes>;
     Lanes sums[chains];

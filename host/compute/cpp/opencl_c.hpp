@@ -7,7 +7,7 @@ using uchar = unsigned char;
 using la_long = long long;
 using ulong = unsigned long long;
 using size_t = decltype(sizeof(0));
-// What builtin functions take of a float that counts (counted_float.hpp).
+// The argument for builtin functions; a counting float (counted_float.hpp) needs a conversion.
 #ifndef PLAIN_FLOAT
 #define PLAIN_FLOAT(v) (v)
 #endif
@@ -15,7 +15,7 @@ using size_t = decltype(sizeof(0));
 #define INFINITY __builtin_inff()
 #endif
 
-/// Which work-item a kernel runs as.
+/// The work-item that a kernel runs as.
 struct WorkItem {
     size_t id, count;
 };
@@ -42,7 +42,7 @@ struct WorkItem {
 
 // Vectors of two, three and four: what a kernel computes with per element.
 
-// Of a vector of floats that count: from one that does not.
+// Constructors of vectors of counting floats from plain floats.
 #ifdef LINEATLAS_COUNTED
 #define FROM_PLAIN_FLOAT(Vector)                                                                   \
     template <class U>                                                                             \
@@ -186,7 +186,8 @@ inline Matrix to_matrix(const la_mat4& value) {
     return {vload4(0, value.v), vload4(1, value.v), vload4(2, value.v), vload4(3, value.v)};
 }
 
-// Functions, with OpenCL's results for what is no number; | leaves the compiler no branch.
+// Functions with OpenCL's results for arguments that are not numbers. They use |, which compiles to
+// no branch.
 
 inline float fmin(float a, float b) {
     return ((b < a) | (a != a)) ? b : a;
@@ -268,11 +269,11 @@ inline uint lowest_bit(uint bits) {
     return static_cast<uint>(__builtin_ctz(bits));
 }
 
-/// To the nearest, and to the even one of two.
+/// Rounds to the nearest int, and to the even one if two are as near.
 inline int convert_int_rte(float v) {
     return static_cast<int>(__builtin_nearbyintf(PLAIN_FLOAT(v)));
 }
-/// Rounded down or up; without floorf(), which is a call where SSE 4.1 is not at hand.
+/// Rounds down, or up below. There is no floorf(), which is a function call without SSE 4.1.
 inline int convert_int_rtn(float v) {
     const int cut = static_cast<int>(v);
     return cut - (static_cast<float>(cut) > v ? 1 : 0);
@@ -320,7 +321,7 @@ inline uint atomic_inc(uint* to) {
     return atomic_add(to, 1);
 }
 
-// Vectors that do several things of a kernel at once: see kernels/lanes.h.
+// Lanes, see kernels/lanes.h.
 
 #ifdef LINEATLAS_COUNTED
 #include "counted_lanes.hpp"
@@ -335,8 +336,8 @@ template <class T, int n>
 struct LanesOf {
     using All = typename VectorOf<T, n>::type;
     using Mask = typename VectorOf<int, n>::type;
-    /// Integers wrap, as on every device: what a kernel computes in lanes that it leaves out may be
-    /// of any size.
+    /// Integers wrap, as on every device, because numbers in lanes that a kernel does not use may
+    /// be of any size.
     using Wrapping =
         std::conditional_t<std::is_same_v<T, int>, typename VectorOf<uint, n>::type, All>;
     All all;
@@ -365,7 +366,7 @@ struct LanesOf {
     friend LanesOf<int, n> operator==(const LanesOf& a, const LanesOf& b) { return a.all == b.all; }
     friend LanesOf<int, n> operator!=(const LanesOf& a, const LanesOf& b) { return a.all != b.all; }
     LanesOf& operator+=(const LanesOf& b) { return *this = *this + b; }
-    // Of what comparisons give: -1 or 0.
+    // For results of comparisons, which are -1 or 0.
     friend LanesOf operator&&(const LanesOf& a, const LanesOf& b) { return a.all & b.all; }
     friend LanesOf operator||(const LanesOf& a, const LanesOf& b) { return a.all | b.all; }
     friend LanesOf operator!(const LanesOf& a) { return ~a.all; }
@@ -398,7 +399,7 @@ LanesOf<int, n> floor_to_int_lanes(const LanesOf<float, n>& a) {
 }
 template <int n>
 LanesOf<int, n> round_to_int_lanes(const LanesOf<float, n>& a) {
-    // By hand: g++ 12 takes the vector apart for nearbyint().
+    // Written out, because g++ 12 takes the vector apart for nearbyint().
     const LanesOf<int, n> cut = __builtin_convertvector(a.all, typename LanesOf<int, n>::All);
     const LanesOf<float, n> rest = a - to_float_lanes(cut);
     const auto odd = (cut.all & 1) != 0;
@@ -407,7 +408,7 @@ LanesOf<int, n> round_to_int_lanes(const LanesOf<float, n>& a) {
     return cut.all - static_cast<typename LanesOf<int, n>::All>(up) +
            static_cast<typename LanesOf<int, n>::All>(down); // -1 for true
 }
-/// All lanes or-ed, by halves: a loop over them takes them out one by one.
+/// The bitwise or of all lanes, by halves, because a loop would take lanes out one by one.
 inline uint or_of_lanes(const VectorOf<int, 4>::type& a) {
     const auto halves = __builtin_bit_cast(VectorOf<long long, 2>::type, a);
     const auto both = static_cast<ulong>(halves[0] | halves[1]);

@@ -24,12 +24,12 @@ std::string as_text(std::string line) {
     line.erase(line.find_last_not_of(' ') + 1);
     if (line.size() <= longest_line) return line;
     std::size_t end = longest_line;
-    while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end; // within a letter
+    while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end; // not within a letter
     return line.substr(0, end) + "...";
 }
 
-/// Where a line of a source comes from by its #line directives; empty where there are none before
-/// it. Counted from 1.
+/// The file and line that a line of a source, counted from 1, comes from by #line directives. Empty
+/// if there is none before it.
 std::string place_of_line(std::string_view source, std::size_t line) {
     std::istringstream lines{std::string{source}};
     std::string file;
@@ -46,7 +46,8 @@ std::string place_of_line(std::string_view source, std::size_t line) {
     return file.empty() ? file : file + ':' + std::to_string(number);
 }
 
-/// "NAME:12: error", where NAME is none of the source's files, with the place in its file.
+/// A message such as "NAME:12: error", in which NAME is none of the source's files, with the place
+/// in its file.
 std::string in_its_file(const std::string& message, std::string_view source) {
     const std::size_t name_end = message.find(':');
     if (name_end == message.npos) return message;

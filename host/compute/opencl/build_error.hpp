@@ -14,13 +14,13 @@ class BuildError : public DeviceError {
     using DeviceError::DeviceError;
 };
 
-/// The first error that a compiler's log names, else its first line; one line, and cut if it is
-/// long. Empty if the log is. A place in the whole `source` becomes one in the file that its #line
-/// directives name there: rusticl of Mesa 26.1 does not heed them.
+/// The first error that a compiler's log names, or else its first line, cut if it is long. Empty if
+/// the log is empty. A place in the whole `source` becomes a place in the file that #line
+/// directives name, because rusticl of Mesa 26.1 ignores these.
 std::string first_error(std::string_view log, std::string_view source);
 
 /// Adds `log` under `title` to the file that the environment variable LINEATLAS_BUILD_LOG names.
-/// Returns, for a message, where the whole log is, or how to get it.
+/// Returns text for a message: where the whole log is, or how to get it.
 std::string keep_build_log(std::string_view title, std::string_view log);
 
 } // namespace lineatlas::compute

@@ -36,13 +36,13 @@ bool read_all(int descriptor, std::span<unsigned char> content) {
     return true;
 }
 
-/// A program runs with the rights of who reads it: nobody else may have had a hand in it.
+/// Whether only this user can have written a file. Its program will run with this user's rights.
 bool is_own(const struct stat& status) {
     return S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
            (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// For this user alone, whatever the umask is, as the XDG specification has it.
+/// Makes folders for this user alone, whatever the umask is, as the XDG specification asks.
 void make_folders(const fs::path& folder) {
     std::error_code error;
     if (folder.empty() || fs::exists(folder, error)) return;
@@ -54,7 +54,7 @@ void make_folders(const fs::path& folder) {
 
 std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
                                                           std::uintmax_t most_bytes) {
-    // Not to block on a pipe that someone put there.
+    // O_NONBLOCK, because someone may have put a pipe there.
     const FileDescriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status {};
     if (!file.is_open() || ::fstat(file.number(), &status) != 0 || !is_own(status) ||

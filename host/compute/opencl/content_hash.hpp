@@ -7,10 +7,10 @@
 
 namespace lineatlas::compute {
 
-/// 128 bits that tell contents apart: for accidents, not against an attacker.
+/// 128 bits that tell contents apart by accident, not against an attacker.
 class ContentHash {
   public:
-    /// The hash of what was hashed so far followed by `bytes`.
+    /// The hash of the content so far followed by `bytes`.
     ContentHash with(std::span<const std::byte> bytes) const;
 
     /// 32 hexadecimal digits.

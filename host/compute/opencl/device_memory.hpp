@@ -16,7 +16,7 @@ class DeviceMemory {
     DeviceMemory(const DeviceMemory&) = delete;
     DeviceMemory& operator=(const DeviceMemory&) = delete;
 
-    /// What one buffer takes, until this is destroyed.
+    /// The memory that one buffer takes, until this object is destroyed.
     class Share {
       public:
         Share() = default;
@@ -36,9 +36,9 @@ class DeviceMemory {
         std::uint64_t bytes_ = 0;
     };
 
-    /// Throws Shortage where the device cannot hold another buffer of that size.
+    /// Takes memory for a buffer. Throws Shortage if the device cannot hold it.
     Share take(std::uint64_t bytes);
-    /// Throws Shortage where `status`, of making a buffer, says that memory has run out.
+    /// Throws Shortage if `status`, from making a buffer, says that memory has run out.
     void check(cl_int status, std::uint64_t bytes) const;
     std::uint64_t largest_buffer() const { return largest_buffer_; }
     std::uint64_t free() const { return total_ > taken_ ? total_ - taken_ : 0; }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view passed = "passed", begun = "begun";
 
-/// All that a verdict depends on.
+/// Everything that a verdict depends on.
 std::string key_of(const OpenClBackend& device, std::string_view what) {
     ContentHash kernels;
     for (const EmbeddedSource& source : embedded_kernels())
@@ -31,7 +31,7 @@ std::string key_of(const OpenClBackend& device, std::string_view what) {
                                        .options = compiler_options(device.tuning())});
 }
 
-/// Nothing: something else went wrong, and says nothing about kernels.
+/// The verdict on a device. Nothing if something else went wrong that says nothing about kernels.
 std::optional<std::string> verdict_of(const OpenClDevice& device,
                                       const std::function<void(const DeviceOptions&)>& run) {
     try {
@@ -55,7 +55,7 @@ void keep(const ProgramCache& cache, const std::string& key, const std::string& 
     cache.store(key, {reinterpret_cast<const unsigned char*>(verdict.data()), verdict.size()});
 }
 
-/// Of this process, so that files are looked at once in it.
+/// Verdicts of this process, so that it reads files once.
 struct Verdicts {
     std::mutex mutex;
     std::map<std::pair<cl_device_id, std::string>, std::string> known;
@@ -74,15 +74,15 @@ bool try_device(const Device& device, std::string_view what,
     if (opencl == nullptr || std::getenv("LINEATLAS_KERNEL_DIR") != nullptr) return false;
     const std::optional<ProgramCache> cache = user_program_cache(true);
     if (!cache) return false;
-    const std::scoped_lock lock{verdicts().mutex}; // a second thread waits for the same answer
+    const std::scoped_lock lock{verdicts().mutex}; // other threads wait for the same answer
     std::string& verdict = verdicts().known[{opencl->device().device(), std::string{what}}];
     if (verdict.empty()) {
         const std::string key = key_of(*opencl, what);
         verdict = kept_verdict(*cache, key);
-        if (verdict.empty() || verdict == begun) { // or ended with its process
+        if (verdict.empty() || verdict == begun) { // or a trial that ended with its process
             verdict.clear();
             keep(*cache, key, std::string{begun});
-            if (kept_verdict(*cache, key) != begun) return false; // a folder that is not writable
+            if (kept_verdict(*cache, key) != begun) return false; // the folder is not writable
             const auto found = verdict_of(opencl->device(), run);
             if (!found) return false;
             verdict = *found;

@@ -45,7 +45,7 @@ OpenClDevice describe(const cl::Platform& platform, const cl::Device& device) {
 
 bool mistrusted = false;
 
-/// Found once, before the drivers are loaded.
+/// State that is found once, before the drivers are loaded.
 struct DriverState {
     std::string no_cache = give_pocl_a_cache();
     DriverTrial trial = try_drivers(mistrusted);
@@ -56,13 +56,13 @@ const DriverState& driver_state() {
     return state;
 }
 
-/// `platform`: its place among all.
+/// Whether a platform works. `platform`: its place among all.
 bool works(std::size_t platform) {
     const std::optional<std::vector<std::size_t>>& working = driver_state().trial.working;
     return !working || std::ranges::find(*working, platform) != working->end();
 }
 
-/// Numbers those that have one name.
+/// Numbers devices that have the same name.
 void tell_apart(std::vector<OpenClDevice>& devices) {
     std::map<std::string, int> counts;
     for (const OpenClDevice& device : devices) ++counts[device.name()];
@@ -107,7 +107,7 @@ bool OpenClDevice::has_extension(std::string_view extension) const {
 
 std::vector<OpenClDevice> list_opencl_devices() {
     std::vector<OpenClDevice> result;
-    // What does not even load in the copy is not loaded here.
+    // Drivers that do not even load in the copy are not loaded here.
     if (const DriverTrial& trial = driver_state().trial; trial.working && trial.working->empty())
         return result;
     std::vector<cl::Platform> platforms;
@@ -176,7 +176,7 @@ std::vector<std::string> drivers_that_fail() {
     std::vector<std::string> causes;
     const DriverTrial& trial = driver_state().trial;
     if (!trial.cause.empty()) causes.push_back(trial.cause);
-    if (trial.working && trial.working->empty()) return causes; // none is loaded here
+    if (trial.working && trial.working->empty()) return causes; // no driver is loaded here
     for (const IcdFile& icd : icd_files())
         if (!icd.cause.empty()) causes.push_back(icd.path + ": " + icd.cause);
     return causes;

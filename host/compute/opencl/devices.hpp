@@ -18,13 +18,13 @@ struct OpenClDevice {
     std::string extensions;
     bool is_cpu = false;
     bool is_gpu = false;
-    int number = 0; ///< from 1 among those that have one name; 0: there is no other
+    int number = 0; ///< from 1 among devices with this name; 0: no other has it
 
-    /// Its name, with its number.
+    /// The device's name with its number.
     std::string own_name() const;
-    /// How the user names it: "opencl:<platform>:<device>".
+    /// The name by which users choose it: "opencl:<platform>:<device>".
     std::string name() const;
-    /// How it is named to the user: "opencl: <device> (<platform>)".
+    /// The name shown to users: "opencl: <device> (<platform>)".
     std::string description() const;
     bool has_extension(std::string_view extension) const;
 };
@@ -41,19 +41,19 @@ std::vector<OpenClDevice> list_opencl_devices();
 /// if there is none.
 std::vector<OpenClDevice> find_opencl_devices(std::string_view name);
 
-/// From now on, drivers say what devices they have in a copy of this process before they are
-/// loaded: for programs that may fork when they first ask for a device. Some end the process that
-/// asks.
+/// From the call on, drivers list their devices in a copy of this process before they are loaded,
+/// because some drivers end the process that asks. It is for programs that may fork when they first
+/// ask for a device.
 void mistrust_drivers();
 
-/// What is wrong with drivers that are installed and do not work, one by one.
+/// The faults of installed drivers that do not work, one by one.
 std::vector<std::string> drivers_that_fail();
 
 /// Why list_opencl_devices() is empty: the beginning of a message.
 std::string why_no_device();
-/// That and the way out.
+/// The whole message, with the way out.
 std::string no_device_message();
-/// Whether drivers are there but have not got the memory that they need.
+/// Whether drivers are installed but lack the memory that they need.
 bool drivers_lack_memory();
 
 } // namespace lineatlas::compute

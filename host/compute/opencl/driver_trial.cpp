@@ -30,13 +30,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is left for the frame itself, beside what the drivers take for one small kernel.
+/// Memory for the frame itself, beside the memory that drivers take for one small kernel.
 constexpr std::size_t room = std::size_t{192} << 20U;
-/// Some drivers wait for ever. A good one takes less than a second, but on a busy machine many: so
-/// what counts is how long nothing of it runs or wants to run.
+/// Some drivers wait endlessly. A good driver takes less than a second, but many on a busy machine.
+/// So the time counts during which nothing of it runs or waits to run.
 constexpr std::chrono::seconds most_asleep{3};
 constexpr std::chrono::seconds most_time{60};
-/// ocl-icd asks each platform for its devices before it names any, to sort them; not by "none".
+/// ocl-icd asks each platform for its devices before it names any, to sort them. "none" turns that
+/// off.
 constexpr const char* sort = "OCL_ICD_PLATFORM_SORT";
 constexpr std::string_view of_pocl = "Portable Computing Language";
 
@@ -54,7 +55,7 @@ void try_device(const cl::Device& device) {
     const cl::CommandQueue queue{context, device};
     const cl::Program program{
         context, "kernel void tried(global uint* result) { result[get_global_id(0)] = 1; }"};
-    program.build(device); // what the constructor would ask for, OpenCL C 2.0, not all devices have
+    program.build(device); // the constructor would ask for OpenCL C 2.0, which some devices lack
     constexpr std::size_t items = 64;
     const cl::Buffer buffer{context, CL_MEM_READ_WRITE, items * sizeof(cl_uint)};
     cl::Kernel kernel{program, "tried"};
@@ -62,13 +63,13 @@ void try_device(const cl::Device& device) {
     queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange{items}, cl::NDRange{16});
     std::array<cl_uint, items> result{};
     queue.enqueueReadBuffer(buffer, CL_TRUE, 0, sizeof result, result.data());
-    // PoCL 7.1 does not say that its linker has failed.
+    // PoCL 7.1 does not report that its linker has failed.
     if (std::ranges::count(result, 1U) != items) throw std::runtime_error{"it has not run"};
 }
 
-/// How much drivers have to show.
+/// How much of a driver is tried.
 enum class Trial {
-    devices, ///< what devices they have
+    devices, ///< its list of devices
     kernels, ///< a kernel, with memory left for a frame
 };
 
@@ -84,11 +85,13 @@ void try_platform(const cl::Platform& platform, Trial trial) {
     }
 }
 
-/// In the copy. Says which platform comes next before it is tried, so that the last one named is
-/// the one that failed.
+/// Runs in the copy. Names each platform before it is tried, so that the last one named is the one
+/// that failed.
 [[noreturn]] void try_all(int output, std::size_t first, Trial trial, const char* cache) {
     begin_driver_copy();
-    if (cache != nullptr) ::setenv("POCL_CACHE_DIR", cache, 1); // what is built already needs no ld
+    if (cache != nullptr)
+        ::setenv("POCL_CACHE_DIR", cache, 1); // a kernel that is built already
+                                              // needs no ld
     const auto say = [&](const std::string& line) {
         if (::write(output, line.data(), line.size()) < 0) ::_exit(1);
     };
@@ -108,14 +111,14 @@ void try_platform(const cl::Platform& platform, Trial trial) {
     ::_exit(0);
 }
 
-/// Whether all threads of a process sleep, and those of the processes that it has started.
+/// Whether all threads of a process, and of processes that it has started, sleep.
 bool is_asleep(const std::string& process) {
     std::error_code error;
     for (fs::directory_iterator task{fs::path{"/proc"} / process / "task", error}, end;
          !error && task != end; task.increment(error)) {
         std::string text;
         std::getline(std::ifstream{task->path() / "stat"}, text);
-        const std::size_t name = text.rfind(") "); // may hold anything; the state follows
+        const std::size_t name = text.rfind(") "); // a name may hold anything; the state follows it
         if (name != std::string::npos && text[name + 2] != 'S' && text[name + 2] != 'Z')
             return false;
         std::ifstream children{task->path() / "children"};
@@ -128,13 +131,13 @@ bool is_asleep(const std::string& process) {
 /// How a copy ended, and the platforms that it tried.
 struct Ending {
     bool good = false;
-    bool idle = false; ///< ended for doing nothing
-    bool late = false; ///< or for taking too long
-    int signal = 0;    ///< what ended it, 0 otherwise
+    bool idle = false; ///< it was ended for doing nothing
+    bool late = false; ///< it was ended for taking too long
+    int signal = 0;    ///< the signal that ended it, or 0
     std::vector<std::string> tried;
 };
 
-/// `first`: the platform to begin with.
+/// Runs a copy of the process. `first`: the platform to begin with.
 Ending run_copy(std::size_t first, Trial trial, const char* cache) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
@@ -191,7 +194,7 @@ class EmptyCache {
     bool made_ = false;
 };
 
-/// `platform`: that failed; empty: before any was found.
+/// The cause of a failure. `platform`: the one that failed; empty: none had been found yet.
 std::string why(const std::string& platform, const Ending& ending, bool linker,
                 const std::optional<std::string>& limit) {
     const auto seconds = [](std::chrono::seconds time) {

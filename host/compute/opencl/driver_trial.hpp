@@ -9,15 +9,15 @@ namespace lineatlas::compute {
 
 /// What a trial of the OpenCL drivers has shown.
 struct DriverTrial {
-    /// Platforms, by their places among all that the loader reports; nothing: not tried.
+    /// Working platforms, by their places among all that the loader reports; nothing: not tried.
     std::optional<std::vector<std::size_t>> working;
-    std::string cause; ///< why others do not, for a message; empty if all do that were found
+    std::string cause; ///< why others do not work, for a message; empty if all work
 };
 
-/// Drivers end the process when they lack memory, or the linker that PoCL runs. Where that is to be
-/// feared, under a limit on memory or with no `ld` in PATH, they are tried in a copy of this
-/// process first: each builds and runs a kernel. Elsewhere each says what devices it has, in a
-/// copy, if they are `mistrusted`; else nothing is done. Call before they are loaded.
+/// Tries drivers before they are loaded, because drivers end the process if they lack memory, or
+/// the linker that PoCL runs. Under a limit on memory, or with no `ld` in PATH, each driver builds
+/// and runs a kernel in a copy of this process. Otherwise, if drivers are `mistrusted`, each lists
+/// its devices in a copy. Otherwise nothing is done.
 DriverTrial try_drivers(bool mistrusted);
 
 } // namespace lineatlas::compute

@@ -12,9 +12,9 @@ struct IcdFile {
     std::string cause{}; ///< why the library cannot be loaded; empty if it can be
 };
 
-/// All that the loader reads: of the folder or the file in OPENCL_VENDOR_PATH or OCL_ICD_VENDORS,
-/// else of /etc/OpenCL/vendors. Loads each library as the loader does: call after that has. None
-/// where there is no loader.
+/// All files that the loader reads: those of the folder or the file in OPENCL_VENDOR_PATH or
+/// OCL_ICD_VENDORS, else of /etc/OpenCL/vendors. Loads each library as the loader does, so call it
+/// after the loader. Empty without a loader.
 std::vector<IcdFile> icd_files();
 
 } // namespace lineatlas::compute

@@ -1,5 +1,5 @@
-// The functions of OpenCL that the library calls: each hands on to that of libOpenCL.so.1, which
-// nothing is linked to.
+// The functions of OpenCL that the library calls. Each calls that of libOpenCL.so.1, which nothing
+// links.
 #include "loader.hpp"
 
 #include <array>
@@ -13,7 +13,7 @@
 
 #include <CL/cl_gl.h>
 
-/// All of them, with how many arguments they take.
+/// All functions, with their numbers of arguments.
 // clang-format off
 #define LA_OPENCL_FUNCTIONS(F) \
     F(1, clFinish) F(1, clFlush) F(1, clReleaseCommandQueue) F(1, clReleaseContext) \
@@ -42,14 +42,14 @@ constexpr const char* file = "libOpenCL.so.1";
 constexpr std::array names{LA_OPENCL_FUNCTIONS(LA_NAME) "clGetPlatformIDs"};
 #undef LA_NAME
 
-/// Where the file that an address lies in was loaded.
+/// The address at which the file was loaded that holds an address.
 void* base_of(const void* address) {
     Dl_info info{};
     return ::dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
 }
 
-/// Whether the process has functions of OpenCL that are not those below, which others see too where
-/// the library comes in shared parts (./run bundle).
+/// Whether the process has functions of OpenCL other than those below. The latter are visible too
+/// if the library comes in shared parts (./run bundle).
 bool has_others() {
     const void* const found = ::dlsym(RTLD_DEFAULT, "clGetPlatformIDs");
     return found != nullptr && base_of(found) != base_of(file);
@@ -57,7 +57,7 @@ bool has_others() {
 
 OpenClLibrary open_library() {
     OpenClLibrary library;
-    // What stands before the library in a process goes first.
+    // Functions that the process already has take precedence over the library's.
     library.in_front = has_others();
     library.handle = library.in_front ? RTLD_DEFAULT : ::dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (!library.in_front && library.handle == nullptr) {
@@ -103,8 +103,8 @@ using lineatlas::compute::ArgumentOf;
 using lineatlas::compute::opencl_library;
 using lineatlas::compute::ResultOf;
 
-// Without the library there is no platform, and all other functions are about what comes of one.
-// Weak: a test may have its own in front.
+// Without the library there is no platform, and all other functions need one. They are weak, so
+// that a test may have its own.
 #define LA_PARAMETERS_1(of) ArgumentOf<decltype(of), 0> a
 #define LA_PARAMETERS_2(of) LA_PARAMETERS_1(of), ArgumentOf<decltype(of), 1> b
 #define LA_PARAMETERS_3(of) LA_PARAMETERS_2(of), ArgumentOf<decltype(of), 2> c

@@ -8,17 +8,16 @@ namespace lineatlas::compute {
 /// functions, so that programs start, and draw by C++, on machines without it.
 struct OpenClLibrary {
     bool works = false;
-    bool in_front =
-        false;           ///< it is one that stands before the loader, as a debugger of kernels does
-    std::string cause{}; ///< why not
+    bool in_front = false; ///< it stands before the loader, as a debugger of kernels does
+    std::string cause{};   ///< why it does not work
 
-    /// A function of it; there must be one of that name.
+    /// A function of the library, which must exist.
     void* function(const char* name) const;
 
     void* handle = nullptr; ///< of dlopen()
 };
 
-/// The same in all calls.
+/// The library; the same object in all calls.
 const OpenClLibrary& opencl_library();
 
 } // namespace lineatlas::compute

@@ -26,7 +26,7 @@ class Implementation final : public OpenClBackend {
     Implementation(const OpenClDevice& device, std::span<const cl_context_properties> properties,
                    const Tuning& tuning)
         : device_(device), tuning_(within_groups(tuning, group_limits(device.device))),
-          // A context that is tied to GL ends with what it is tied to.
+          // A context that is tied to GL is not shared, because it ends with the GL context.
           context_(properties.empty() ? shared_context(device)
                                       : std::make_shared<SharedContext>(device, properties)) {
         guarded("creating a queue", [&] {
@@ -172,7 +172,7 @@ class Implementation final : public OpenClBackend {
         }
     }
 
-    /// From the first profiled frame on.
+    /// Makes a queue that keeps times. Called for the first profiled frame.
     void keep_times() {
         guarded("creating a queue that keeps times", [&] {
             if ((queue_.getInfo<CL_QUEUE_PROPERTIES>() & CL_QUEUE_PROFILING_ENABLE) != 0) return;
@@ -192,12 +192,13 @@ class Implementation final : public OpenClBackend {
             return compute::guarded(device_, doing, std::forward<Action>(action), what);
         });
     }
-    /// After a failure a driver may refuse all that follows in the context.
+    /// Runs an action and retires the context if it fails, because a driver may then refuse all
+    /// later calls in it.
     template <class Action>
     auto or_retire(Action&& action) const -> decltype(action()) {
         try {
             return action();
-        } catch (const Shortage&) { // which is none: the memory is used by what works
+        } catch (const Shortage&) { // is no failure of the context: other buffers use the memory
             throw;
         } catch (const DeviceError&) {
             retire(*context_);

@@ -21,7 +21,7 @@ class OpenClBuffer final : public Buffer {
     void* mapped = nullptr; ///< while the host has access to a wrapped buffer
 };
 
-/// What code that shares OpenCL objects with another API needs of the device.
+/// The interface for code that shares OpenCL objects with another API.
 class OpenClBackend : public Device {
   public:
     virtual const OpenClDevice& device() const = 0;
@@ -30,8 +30,8 @@ class OpenClBackend : public Device {
 };
 
 /// Kernels on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs
-/// of name and value without the closing 0. Throws DeviceError when the driver refuses. A kernel is
-/// built when first used; if it doesn't build, BuildError (build_error.hpp) is thrown.
+/// of name and value without the closing 0. Throws DeviceError if the driver refuses. A kernel is
+/// built when it is first used, which may throw BuildError (build_error.hpp).
 std::unique_ptr<OpenClBackend>
 make_opencl_backend(const OpenClDevice& device,
                     std::span<const cl_context_properties> context_properties = {});

@@ -17,17 +17,18 @@ std::int64_t time_of(const cl::Event& event) {
     return static_cast<std::int64_t>(event.getProfilingInfo<what>());
 }
 
-/// What to add to a device's time to have the host's, if it is known at all.
+/// The number to add to a device's time for the host's time, as far as it is known.
 class Offset {
   public:
-    /// The device's clock was `device` somewhere from `before` to `after` on the host's.
+    /// Adds a reading: the device's clock was `device` at some time from `before` to `after` on the
+    /// host's clock.
     void add(std::int64_t device, std::int64_t before, std::int64_t after) {
         low_ = std::max(low_, before - device);
         high_ = std::min(high_, after - device);
     }
     std::int64_t value() const { return low_ + (high_ - low_) / 2; }
-    /// Clocks that run at different speeds leave no single offset, but brackets that miss each
-    /// other by what they have drifted apart.
+    /// How wrong the offset may be. Clocks that run at different speeds have no single offset;
+    /// their brackets miss each other by the drift.
     std::int64_t error() const { return (std::max(low_, high_) - std::min(low_, high_) + 1) / 2; }
 
   private:
@@ -56,7 +57,7 @@ OpenClCommandLog::Pending::~Pending() {
 
 bool OpenClCommandLog::complete() const {
     if (entries_.empty()) return true;
-    // The queue is in order. Negative is an error, which read() sees to.
+    // The queue is in order. A negative status is an error, which read() reports.
     cl_int status = CL_COMPLETE;
     clGetEventInfo(entries_.back().event(), CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof(status),
                    &status, nullptr);

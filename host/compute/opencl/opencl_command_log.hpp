@@ -13,12 +13,13 @@ class OpenClCommandLog final : public CommandLog {
   public:
     struct Command {
         std::string_view name;
-        std::uint64_t bytes = 0; ///< that it moves, where that is known
-        std::uint64_t items = 0; ///< of a kernel
+        std::uint64_t bytes = 0; ///< bytes that it moves, if known
+        std::uint64_t items = 0; ///< work-items of a kernel
         std::uint32_t group = 0;
     };
 
-    /// A command about to be enqueued: an argument to the enqueue call, which it must not outlive.
+    /// A command that is about to be enqueued: an argument of the enqueue call, which must outlive
+    /// it.
     class Pending {
       public:
         Pending(OpenClCommandLog* log, const Command& command);
@@ -31,7 +32,7 @@ class OpenClCommandLog final : public CommandLog {
         friend class OpenClCommandLog;
         struct Entry {
             Command command;
-            std::int64_t before, after; ///< the host's clock about the call
+            std::int64_t before, after; ///< the host's clock before and after the call
             cl::Event event;
         };
         OpenClCommandLog* log_;

@@ -20,7 +20,7 @@ fs::path path_in(const char* name) {
     return value != nullptr ? value : "";
 }
 
-/// Where PoCL looks; empty: in a folder of everybody's.
+/// The folder that PoCL uses; empty: one that all users share.
 fs::path usual_folder() {
     if (const fs::path own = path_in(variable); !own.empty()) return own;
     if (const fs::path cache = path_in("XDG_CACHE_HOME"); !cache.empty()) return cache / "pocl";
@@ -28,7 +28,7 @@ fs::path usual_folder() {
     return {};
 }
 
-/// Whether the folder, or else the nearest above it that is there, can be written to.
+/// Whether the folder, or the nearest existing one above it, can be written to.
 bool can_be_made(fs::path folder) {
     std::error_code error;
     folder = fs::absolute(folder, error);
@@ -38,7 +38,7 @@ bool can_be_made(fs::path folder) {
            ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0;
 }
 
-/// Code is loaded from there: nobody else may write to it, nor have made it.
+/// Makes a folder that only this user can write to and has made, because code is loaded from it.
 bool make_private(const fs::path& folder) {
     constexpr mode_t owner_alone = 0700, of_others = 0077;
     ::mkdir(folder.c_str(), owner_alone);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view entry_extension = ".program";
 constexpr std::string_view part_extension = ".part";
 
-/// In front of an entry's key and program.
+/// The header of an entry, before its key and program.
 struct Header {
     std::array<char, 8> magic;
     std::uint64_t key_bytes;
@@ -43,7 +43,7 @@ std::vector<unsigned char> pack(std::string_view key, std::span<const unsigned c
     return entry;
 }
 
-/// The program in `entry`, if that is whole and stands under `key`.
+/// The program in `entry`, if the entry is whole and has this key.
 std::optional<std::vector<unsigned char>> unpack(std::span<const unsigned char> entry,
                                                  std::string_view key) {
     Header header;
@@ -63,7 +63,7 @@ std::optional<std::vector<unsigned char>> unpack(std::span<const unsigned char> 
     return std::vector<unsigned char>{program.begin(), program.end()};
 }
 
-/// Removes what a writer that was killed left behind. A writer at work is far younger.
+/// Removes old temporary files of killed writers. Files of writers at work are far younger.
 void remove_if_left_behind(const fs::directory_entry& file) {
     std::error_code ignored;
     const auto age = fs::file_time_type::clock::now() - file.last_write_time(ignored);
@@ -80,7 +80,7 @@ std::optional<fs::path> ProgramCache::default_folder() {
         const char* value = std::getenv(name);
         return fs::path{value != nullptr ? value : ""};
     };
-    // The XDG specification: a path that is not absolute is to be ignored.
+    // The XDG specification says to ignore paths that are not absolute.
     if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) {
         return cache / "lineatlas";
     }
@@ -119,7 +119,7 @@ void ProgramCache::tidy() const {
     };
     std::vector<Entry> entries;
     std::uintmax_t total = 0;
-    // Other processes may remove files meanwhile: each error only means that one is gone.
+    // Other processes may remove files meanwhile, so an error only means that a file is gone.
     std::error_code error;
     for (fs::directory_iterator file{folder_, error}, end; !error && file != end;
          file.increment(error)) {

@@ -11,8 +11,9 @@ namespace lineatlas::compute {
 
 /// Built programs in files, one each, in a folder that many processes may use at once.
 ///
-/// Nothing in the folder is trusted: what `find` returns is what this user stored under this key,
-/// whole, or nothing. No failure is an error: what can't be stored is built again the next time.
+/// Nothing in the folder is trusted: `find` returns a whole program that this user stored under
+/// this key, or nothing. Failures are no errors: a program that cannot be stored is built again the
+/// next time.
 class ProgramCache {
   public:
     static constexpr std::uintmax_t default_limit = std::uintmax_t{64} << 20U;
@@ -20,16 +21,17 @@ class ProgramCache {
     /// `limit`: bytes that its files may take together; the longest unused go first.
     explicit ProgramCache(std::filesystem::path folder, std::uintmax_t limit = default_limit);
 
-    /// The user's: $XDG_CACHE_HOME/lineatlas, else ~/.cache/lineatlas. None if neither is set.
+    /// The user's folder: $XDG_CACHE_HOME/lineatlas, else ~/.cache/lineatlas. None if neither
+    /// variable is set.
     static std::optional<std::filesystem::path> default_folder();
 
     /// The program stored under `key`.
     std::optional<std::vector<unsigned char>> find(std::string_view key) const;
 
-    /// Stores a program in place of what was under `key`.
+    /// Stores a program under `key`, in place of another one.
     void store(std::string_view key, std::span<const unsigned char> program) const;
 
-    /// The file that a program of that key is in, if it is stored.
+    /// The file of the program with this key, whether or not it exists.
     std::filesystem::path file_of(std::string_view key) const;
 
   private:

@@ -25,12 +25,12 @@ std::string common_options(const cl::Device& device) {
     return options;
 }
 
-/// `options`: of its own.
+/// All compiler options. `options`: those of the program.
 std::string options_for(const OpenClDevice& device, const std::string& options) {
     return common_options(device.device) + quirk_options(device) + options;
 }
 
-/// For how the device launches kernels.
+/// The compiler options for the way the device launches kernels.
 std::string usual_options(const OpenClDevice& device) {
     const Tuning tuning = within_groups(tuning_for(device), group_limits(device.device));
     return options_for(device, compiler_options(tuning));
@@ -40,7 +40,7 @@ ProgramRecipe recipe_of(const Kernel& kernel, const std::string& options) {
     return {kernel.file(), source_of(kernel), options + ' ' + std::string{kernel.defines}};
 }
 
-/// Whether it tells of the program, and not of the state of the device.
+/// Whether an error is about the program, and not about the state of the device.
 bool is_about_the_program(const cl::Error& error) {
     return !is_shortage(error.err()) && error.err() != CL_DEVICE_NOT_AVAILABLE;
 }
@@ -67,7 +67,7 @@ cl::Program build_program(const OpenClDevice& device, const cl::Context& context
     return program;
 }
 
-/// None if there is no such program or the driver doesn't take it.
+/// The program in the cache; none if there is none or the driver does not accept it.
 std::optional<cl::Program> cached_program(const OpenClDevice& device, const cl::Context& context,
                                           const ProgramRecipe& recipe, const ProgramCache& cache) {
     const std::optional<std::vector<unsigned char>> binary = cache.find(cache_key(device, recipe));
@@ -89,7 +89,7 @@ void store_program(const OpenClDevice& device, const cl::Program& program,
             cache.store(cache_key(device, recipe), binaries.front());
         }
     } catch (const cl::Error&) {
-        return; // a driver that doesn't hand out its programs
+        return; // the driver does not return programs
     }
 }
 
@@ -98,7 +98,8 @@ void store_program(const OpenClDevice& device, const cl::Program& program,
 std::string cache_key(const OpenClDevice& device, const ProgramRecipe& recipe) {
     const cl::Device& own = device.device;
     std::string key;
-    // The versions name the compiler too, where the driver's own version doesn't change with it.
+    // These versions name the compiler too, in case the driver's own version does not change with
+    // it.
     for (const std::string& part :
          {device.platform_name, device.platform.getInfo<CL_PLATFORM_VERSION>(), device.device_name,
           own.getInfo<CL_DEVICE_VENDOR>(), own.getInfo<CL_DEVICE_VERSION>(), device.driver_version,

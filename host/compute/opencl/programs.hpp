@@ -18,46 +18,46 @@ class SharedContext;
 /// A kernel of a built program.
 struct BuiltKernel {
     cl::Kernel kernel{};
-    std::size_t largest_group = 0; ///< of its work-groups, by the registers that it needs
+    std::size_t largest_group = 0; ///< its largest work-group, by the registers that it needs
 };
 
-/// What a program is built from.
+/// The input of building a program.
 struct ProgramRecipe {
     std::string name; ///< for messages
     std::string source;
     std::string options;
 };
 
-/// Everything that a built program depends on: what it is cached under.
+/// The key of a program in the cache: everything that a built program depends on.
 std::string cache_key(const OpenClDevice& device, const ProgramRecipe& recipe);
 
-/// A program out of `cache`, else built and stored there; null: always built. Throws DeviceError;
-/// BuildError (build_error.hpp) if it doesn't build.
+/// A program from `cache`, or else built and stored there. Null: always built. Throws DeviceError,
+/// and BuildError (build_error.hpp) if it does not build.
 cl::Program make_program(const OpenClDevice& device, const cl::Context& context,
                          const ProgramRecipe& recipe, const ProgramCache* cache);
 
 /// The user's cache, if the environment variable LINEATLAS_CACHE is "on", or unset and
-/// `by_default`. Throws UsageError if it is neither that nor "off".
+/// `by_default`. Throws UsageError for any value but "on" and "off".
 std::optional<ProgramCache> user_program_cache(bool by_default);
 
-/// Compiles every program as it is for `device`, without what makes it run there, which takes PoCL
-/// 18 seconds. Throws BuildError for the first that is refused.
+/// Compiles every program for `device`, without the last step that makes it run there, which takes
+/// PoCL 18 seconds. Throws BuildError for the first program that is refused.
 void compile_all(const OpenClDevice& device);
 
-/// What the driver makes of a kernel's program, built for how `device` launches it: bytes of the
-/// driver's own kind, empty if it hands out none. Throws as make_program does.
+/// The driver's binary of a kernel's program, built for the way `device` launches it. Empty if the
+/// driver returns none. Throws as make_program() does.
 std::vector<unsigned char> binary_of(const OpenClDevice& device, const Kernel& kernel);
 
-/// The kernels of one user of a context: they keep their arguments, which programs do not.
+/// The kernels of one user of a context. Kernels keep their arguments, so users do not share them.
 class Programs {
   public:
-    /// `options`: for the compiler, of every program.
+    /// `options`: compiler options for every program.
     Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> context,
              const std::string& options, std::optional<ProgramCache> cache);
 
-    /// The kernel, built with its program if this is the first use in the context: looking at a
-    /// source takes some drivers 20 ms even if they know it, and few frames need all of them.
-    /// Throws as make_program does.
+    /// The kernel. Its program is built at the first use in the context: reading a source takes
+    /// some drivers 20 ms even if they know it, and few frames need all kernels. Throws as
+    /// make_program() does.
     BuiltKernel& built(const Kernel& kernel);
 
   private:

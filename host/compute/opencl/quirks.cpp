@@ -90,7 +90,7 @@ Tuning within_quirks(Tuning tuning, const OpenClDevice& device) {
     if (device.platform_name == rusticl) {
         tuning.longest_chunk = 60'000;
         tuning.segment_block = std::min(tuning.segment_block, 16U);
-        // A small tile each, and two clusters that fill it: at most 55,000 rounds.
+        // A small tile, and two clusters that fill it: at most 55,000 rounds of a loop.
         tuning.depth_tile = 16;
         tuning.depth_clusters = 2;
         tuning.depth_workers = ~0U;

@@ -12,7 +12,8 @@ struct Contexts {
     std::map<cl_device_id, std::shared_ptr<SharedContext>> of_devices;
 };
 
-/// Never destroyed: when the process ends, drivers may have ended before the library does.
+/// All contexts. They are never destroyed, because drivers may end before the library at the end of
+/// the process.
 Contexts& contexts() {
     static Contexts& all = *new Contexts;
     return all;
@@ -53,7 +54,7 @@ std::shared_ptr<SharedContext> shared_context(const OpenClDevice& device) {
 }
 
 void retire(const SharedContext& context) {
-    std::shared_ptr<SharedContext> last; // goes after the lock
+    std::shared_ptr<SharedContext> last; // destroyed after the lock
     Contexts& all = contexts();
     const std::lock_guard lock{all.mutex};
     for (auto& [device, known] : all.of_devices)

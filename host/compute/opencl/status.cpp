@@ -9,7 +9,7 @@
 namespace lineatlas::compute {
 namespace {
 
-/// Those that a working program can meet; others are numbers.
+/// Names of statuses that a working program can meet. Others are shown as numbers.
 constexpr std::array<std::pair<cl_int, const char*>, 21> names{{
     {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
     {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},

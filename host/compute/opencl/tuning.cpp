@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view file_name = "tuning.toml";
 
-/// A folder of kernels need not have a table: then the built-in one holds.
+/// The table in the user's folder of kernels. Without one there the built-in table counts.
 TuningTable user_table() {
     const char* folder = std::getenv("LINEATLAS_KERNEL_DIR");
     if (folder != nullptr) {
@@ -51,7 +51,8 @@ Tuning within_groups(Tuning tuning, const GroupLimits& limits) {
     limit(tuning.local_size, limits.items);
     limit(tuning.block_local_size, limits.items);
     limit(tuning.scan_tile, std::bit_floor(std::min(limits.items, in_local_memory)));
-    // depth.cl: rows of a tile are longer by two vectors, and a texel has a depth and a number.
+    // As in depth.cl: rows of a tile are longer by two vectors, and a texel has a depth and a
+    // number.
     const auto depth_tile_size = [&] {
         return 2 * tuning.depth_tile * (tuning.depth_tile + 2 * tuning.depth_lanes);
     };

@@ -12,17 +12,18 @@ namespace lineatlas::compute {
 /// FileError if the table in LINEATLAS_KERNEL_DIR is wrong.
 Tuning tuning_for(const OpenClDevice& device);
 
-/// What a work-group may have of a device.
+/// The limits of a work-group on a device.
 struct GroupLimits {
     std::size_t items = 0;        ///< work-items
     std::size_t local_memory = 0; ///< bytes
 };
 GroupLimits group_limits(const cl::Device& device);
 
-/// `tuning` with no work-group larger than the device takes, and tiles that fit its local memory.
+/// `tuning` changed so that work-groups are no larger than the device allows, and tiles fit its
+/// local memory.
 Tuning within_groups(Tuning tuning, const GroupLimits& limits);
 
-/// What kernels are compiled for where they are launched by `tuning`: options of the compiler.
+/// Compiler options for kernels that are launched by `tuning`.
 std::string compiler_options(const Tuning& tuning);
 
 } // namespace lineatlas::compute

@@ -16,11 +16,11 @@ std::string_view type_of(const OpenClDevice& device) {
     return device.is_cpu ? "cpu" : device.is_gpu ? "gpu" : "other";
 }
 
-/// The names of a device that a row may tell a part of.
+/// The names of a device that a row may match by a part.
 constexpr std::string OpenClDevice::*names[] = {
     &OpenClDevice::platform_name, &OpenClDevice::device_name, &OpenClDevice::driver_version};
 
-/// What the field takes, in words.
+/// The allowed values of a field, in words.
 std::string kind_of(const TuningField& field) {
     if (std::holds_alternative<bool Tuning::*>(field.member)) return "true or false";
     if (field.allowed.empty()) return "a whole number from 1 to " + std::to_string(field.most);
@@ -37,7 +37,7 @@ bool allows(const TuningField& field, std::int64_t value) {
 } // namespace
 
 std::span<const TuningField> tuning_fields() {
-    constexpr std::uint32_t largest_group = 1024; // of what OpenCL devices have
+    constexpr std::uint32_t largest_group = 1024; // of OpenCL devices
     constexpr std::uint32_t largest_block = 1U << 20U;
     static const TuningField fields[] = {
         {"scan_tiles", &Tuning::scan_tiles},

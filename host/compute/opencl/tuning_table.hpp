@@ -18,7 +18,7 @@ struct TuningField {
     std::uint32_t most = 0;
 };
 
-/// All of them, in the order in which they are written.
+/// All fields, in the order of the table.
 std::span<const TuningField> tuning_fields();
 
 void set_value(Tuning& tuning, const TuningField& field, std::uint32_t value);
@@ -35,14 +35,14 @@ class TuningTable {
     /// Throws FileError if the rows that match leave a value out.
     Tuning values_for(const OpenClDevice& device) const;
 
-    /// A device that each row matches, and where the row takes any type, one of each type. Names
-    /// that the row leaves open are empty.
+    /// A device that each row matches; for a row of any type, one device of each type. Names that
+    /// the row leaves open are empty.
     std::vector<OpenClDevice> examples() const;
 
   private:
     struct Row {
-        OpenClDevice parts; ///< of the names of devices that it matches
-        std::string type;   ///< of them; empty: any
+        OpenClDevice parts; ///< parts of the names of devices that it matches
+        std::string type;   ///< type of the devices; empty: any
         bool matches(const OpenClDevice& device) const;
 
         std::vector<std::pair<const TuningField*, std::uint32_t>> values;

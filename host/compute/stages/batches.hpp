@@ -15,18 +15,18 @@ class Batches {
 
     /// Gives up its tables.
     void release();
-    /// The tables hold something else.
+    /// Call when the tables hold something else.
     void forget() { of_ = {}; }
-    /// Whether there are boxes of the fixed lines, or the triangles, of `table`. They are made the
-    /// second time that these stand where they do: a model that moves in every frame is not worth
-    /// it.
+    /// Whether there are boxes for the fixed lines, or the triangles, of `table`. Boxes are made
+    /// when these stand at the same places for the second time. For a model that moves in every
+    /// frame they would not pay.
     bool has_segments(const SegmentTable& table);
     bool has_triangles(const SegmentTable& table);
-    /// Of the last that there are.
+    /// The last batches that were made.
     BatchTable table() const { return {*boxes_, *states_, count_}; }
 
   private:
-    /// What boxes are of.
+    /// What boxes were made from.
     struct Of {
         const Buffer *elements = nullptr, *vertices = nullptr;
         std::uint64_t version = 0;
@@ -34,14 +34,14 @@ class Batches {
 
         bool operator==(const Of&) const = default;
     };
-    /// Whether they are to be made, where `of` stands still.
+    /// What to do about boxes if `of` stands still.
     enum class Step { wait, make, keep };
     Step next(const Of& of);
 
     Stages& stages_;
     Device& device_; ///< of stages_
     Of of_;
-    bool made_ = false; ///< of what of_ says
+    bool made_ = false; ///< for of_
     std::uint32_t count_ = 0;
     Table boxes_{device_, table::batch_boxes}, states_{device_, table::batch_states};
 };

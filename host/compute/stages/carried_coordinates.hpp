@@ -12,15 +12,15 @@ class CarriedCoordinates {
     explicit CarriedCoordinates(Stages& stages)
         : stages_(stages), device_(stages.device()), tables_(device_, table::carry) {}
 
-    /// Gives up its tables, and what it remembers.
+    /// Gives up its tables and its memory of the frame before.
     void release();
     /// The next frame does not follow the last one.
     void forget() { frame_ += 2; }
-    /// Finds the coordinates of a frame whose silhouettes stand from `first` on, in chains; without
-    /// any it remembers nothing. `limit`: see CarryArgs.
+    /// Finds the coordinates of a frame's silhouettes, which stand from `first` on in chains.
+    /// Without silhouettes it remembers nothing. `limit`: see CarryArgs.
     void find(const SegmentTable& table, std::uint32_t first, const ClippedTable& clipped,
               glm::vec2 viewport, float limit);
-    /// Puts them into runs of that frame.
+    /// Writes the coordinates into runs of that frame.
     void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
 
   private:

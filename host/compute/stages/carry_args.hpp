@@ -13,7 +13,7 @@ namespace lineatlas::compute {
 /// The silhouettes of a frame, see kernels/carry.cl for what each table holds.
 struct CarryArgs {
     SegmentTable table;  ///< with origins
-    std::uint32_t first; ///< segment of them
+    std::uint32_t first; ///< first segment that is a silhouette
     std::uint32_t count; ///< of them, above 0
     ClippedTable clipped;
     glm::vec2 viewport;  ///< pixels

@@ -16,7 +16,7 @@ struct FacingArgs {
     Buffer& front; ///< out: a byte per triangle
 };
 
-/// Which faces contours cross.
+/// Arguments for finding the faces that contours cross.
 struct ContourArgs {
     ContourTables contours;
     Buffer& vertices;           ///< of the mesh
@@ -25,7 +25,7 @@ struct ContourArgs {
     Buffer& numbers;            ///< out, from there on: for SilhouetteArgs::numbers
 };
 
-/// Where they cross them.
+/// Arguments for finding where contours cross faces.
 struct ContourPlacesArgs {
     SegmentTable table; ///< with contours; `vertices` out, behind those of the mesh: four places of
                         ///< three floats per silhouette
@@ -48,12 +48,12 @@ struct SilhouetteView {
 struct SilhouetteArgs {
     SegmentTable table;
     Buffer& front; ///< of `facing`
-    /// In: of contours, those of `contour`. Out: of what may be one the number of silhouettes
-    /// before it, then of all.
+    /// In: for contours the numbers of `contour`. Out: for each candidate that may be a silhouette
+    /// the number of silhouettes before it, then the number of all.
     Buffer& numbers;
 };
 
-/// A list of them.
+/// Arguments for listing silhouettes.
 struct SilhouetteListArgs {
     SilhouetteCandidates candidates;
     Buffer& numbers;   ///< of `silhouette`
@@ -64,8 +64,9 @@ struct SilhouetteListArgs {
 /// The silhouettes of a frame as paths: see kernels/chain.cl for what each table holds.
 struct ChainArgs {
     SegmentTable table;
-    Buffer* crossings; ///< of `contour_places`; null where there are no contours
-    bool lifted;       ///< contours are drawn where visibility is asked of them
+    Buffer* crossings; ///< of `contour_places`; null without contours
+    /// Contours are drawn at the lifted places, where their visibility is tested.
+    bool lifted;
     SilhouetteView view;
     Buffer& numbers;     ///< of `silhouette`
     std::uint32_t count; ///< silhouettes, above 0
@@ -78,7 +79,8 @@ struct ChainArgs {
     Buffer& ordered;     ///< out: `Segment` each, from candidates.first on
     Buffer& origins;     ///< out: a uint32 per silhouette, in their new order
     Buffer& positions;   ///< in: as `silhouette_list` has them; out: a uint32 per candidate
-    /// The same of the frame before, whose names and directions chains keep; null: there is none.
+    /// `positions` of the frame before, from which chains keep names and directions; null: there is
+    /// none.
     Buffer* positions_before = nullptr;
 };
 /// Steps in which the ways of any number of silhouettes get to their ends.

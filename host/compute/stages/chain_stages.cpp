@@ -73,7 +73,7 @@ void Stages::silhouette_list(const SilhouetteListArgs& args) {
 
 namespace {
 
-/// Tables that there may not be: then others stand for them that are not read.
+/// Tables that may be missing. Then other tables, which are not read, stand for them.
 struct ChainTables {
     Buffer &crossings, &end_offsets, &ends, &positions_before;
 };
@@ -99,7 +99,8 @@ void Stages::chain(const ChainArgs& args) {
                                .follows = args.positions_before != nullptr ? 1U : 0U,
                                .outside = args.view.from_outside ? 1U : 0U};
     launch<kernels::chain_link>(args.count, parameters, args.table, args, absent);
-    // A stretch is twice as long after each step; that a loop is one shows when it has gone round.
+    // A stretch is twice as long after each step. A loop is recognised when its stretch has gone
+    // round.
     const auto steps = static_cast<std::uint32_t>(std::bit_width(args.count)) + 2;
     device_.clear(args.going, steps * sizeof(la_uint));
     parameters.count = 2 * args.count;

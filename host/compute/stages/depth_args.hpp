@@ -15,7 +15,7 @@ namespace lineatlas::compute {
 
 /// Where the objects of a model stand (§4.1).
 struct TransformArgs {
-    Buffer& rest;     ///< 3 floats per vertex: as the model was made
+    Buffer& rest;     ///< 3 floats per vertex: vertices of the model as it was made
     Buffer& objects;  ///< per vertex a uint32
     Buffer& matrices; ///< per object three rows of 4 floats: world from object
     std::uint32_t vertex_count;
@@ -44,13 +44,13 @@ struct DepthArgs {
     glm::ivec2 whole_size;     ///< texels of the whole picture
     glm::ivec2 origin;         ///< the first texel of `depth` in it
     glm::ivec2 size;           ///< texels of `depth`
-    TexelRectangle covered;    ///< of these what is wanted; what lies beside may stay as it is
-    Buffer& tiles;             ///< out: as of `pyramid`, where something is wanted
+    TexelRectangle covered;    ///< the wanted texels; others may stay as they are
+    Buffer& tiles;             ///< out: as of `pyramid`, for tiles with wanted texels
     Buffer& seen;              ///< out: a uint32 per cluster, 1 if any of it may be seen
     Buffer* depth = nullptr;   ///< out: as in DepthBuffer; null: nobody asks
     Buffer* numbers = nullptr; ///< out: as of SurfaceTables; null: nobody asks
-    /// In and out: a byte per tile of `tiles`, 1 where of `depth` and `numbers` what is asked for
-    /// is known to show nothing; null: nothing is known.
+    /// In and out: a byte per tile of `tiles`, 1 if the wanted ones of `depth` and `numbers` are
+    /// known to show nothing there; null: nothing is known.
     Buffer* blank = nullptr;
 };
 
@@ -59,7 +59,7 @@ struct PlanesArgs {
     MeshletTables model;
     Buffer& vertices; ///< as in SegmentTable
     SurfaceView view;
-    float contact;  ///< what is nearer to a plane than this touches it; world units
+    float contact;  ///< points nearer to a plane than this touch it; world units
     Buffer* seen;   ///< of `depth`: clusters that matter; null: all
     Buffer& planes; ///< out: 4 floats per triangle, in the order of the clusters
 };

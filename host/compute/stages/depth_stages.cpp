@@ -1,4 +1,4 @@
-// `depth` by kernels: clusters in the order of their depth, into tiles.
+// `depth` by kernels: draws clusters into tiles, in the order of their depth.
 #include <algorithm>
 #include <string>
 
@@ -9,8 +9,8 @@
 namespace lineatlas::compute {
 namespace {
 
-/// What is farther out than so many times the picture's half side is clipped there: up to this many
-/// texels from side to side, the kernel's sums fit.
+/// Triangles are clipped at so many times the picture's half side. The kernel's sums fit for this
+/// many texels from side to side.
 float guard_band(glm::ivec2 whole_size) {
     constexpr float most_texels = 60'000, widest = 4;
     const auto side = static_cast<float>(std::max(whole_size.x, whole_size.y));
@@ -73,7 +73,7 @@ void Stages::depth(const DepthArgs& args) {
     launch_grouped<kernels::depth_order>(
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
-    // Launch after launch goes on from what is stored.
+    // Each launch goes on from the depth that the one before has stored.
     const bool keeps_depth =
         args.depth != nullptr || args.numbers == nullptr || model.count > tuning_.depth_clusters;
     const std::size_t texels =

@@ -11,8 +11,7 @@
 
 namespace lineatlas::compute {
 
-/// What the exact method works on between its stages; see kernels/exact_tables.h for what each
-/// holds.
+/// The tables of the exact method. kernels/exact_tables.h says what each holds.
 struct ExactArgs {
     SegmentTable table;
     ClippedTable clipped;       ///< `offsets` is not read
@@ -29,13 +28,14 @@ struct ExactArgs {
     Buffer& kept;               ///< 4 floats per segment
     Buffer& span_offsets;       ///< out: a uint32 per segment, and the number of spans
     Buffer& spans;              ///< out: 2 floats per span; none if span_capacity is too small
-    /// Of all triangles: surfaces() finds which can't be seen; null: each is looked at alone.
+    /// Batches of all triangles; surfaces() finds which cannot be seen. Null: each triangle is
+    /// looked at alone.
     const BatchTable* batches = nullptr;
-    /// Of ways beside segments (ExactParameters::beside): OutlineArgs::seen.
+    /// For ways beside segments (ExactParameters::beside): OutlineArgs::seen.
     Buffer* seen = nullptr;
 };
 
-/// How many ends a tile's list has while it is filled.
+/// The number of ends that a tile's list has while it is filled.
 inline std::uint32_t list_columns(const Tuning& tuning) {
     return tuning.face_lists ? 1 : tuning.face_chunks;
 }
@@ -47,15 +47,16 @@ struct SpanTable {
     std::uint32_t capacity; ///< spans that there is room for
 };
 
-/// Which segments are seen and may be outline.
+/// Arguments for finding segments that are seen and may be outline.
 struct OutlineSeenArgs {
     SegmentTable table;
     ClippedTable clipped;
-    SpanTable spans; ///< what is seen of the segments
-    Buffer& numbers; ///< out: segment_count + 1 uint32: how many there are before each, and in all
+    SpanTable spans; ///< visible parts of the segments
+    Buffer& numbers; ///< out: segment_count + 1 uint32: how many such segments there are before
+                     ///< each, and in all
 };
 
-/// Of what is seen of the ways beside segments, which parts are outline.
+/// Arguments for finding outlines from the visible parts of ways beside segments.
 struct OutlinePartsArgs {
     std::uint32_t segment_count;
     Buffer& numbers;          ///< of OutlineSeenArgs
@@ -74,7 +75,7 @@ struct SpanRunsArgs {
     SpanTable spans;
     glm::vec2 viewport; ///< pixels
     float half_width;   ///< as in CompactArgs
-    bool hidden;        ///< runs of what is not visible instead
+    bool hidden;        ///< runs of hidden parts instead
     Buffer& runs;       ///< out: `Run` each
     std::uint32_t run_capacity;
     Buffer& record; ///< out: one `FrameRecord`

@@ -1,4 +1,4 @@
-// The exact method: what is visible of lines by cutting them against faces.
+// The exact method: finds visible parts of lines by cutting them against faces.
 #include <algorithm>
 
 #include "compute/transfer.hpp"
@@ -8,8 +8,9 @@
 namespace lineatlas::compute {
 namespace {
 
-/// Work-items that share the rows of tiles of a triangle, where triangles have work-items of their
-/// own: else all wait for the face that covers the picture. Of very many triangles few are large.
+/// The number of work-items that share the rows of tiles of a triangle, if triangles have
+/// work-items of their own. With one, all would wait for a face that covers the picture. Among very
+/// many triangles few are large.
 std::uint32_t face_slices(std::uint32_t triangles) {
     constexpr std::uint32_t most = 8, most_items = 1U << 22U;
     return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
@@ -19,7 +20,7 @@ std::uint32_t tiles_of(const ExactParameters& parameters) {
     return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
 }
 
-/// Tables that there may not be: then others stand for them that are not read.
+/// Tables that may be missing. Then other tables, which are not read, stand for them.
 struct ExactTables {
     Buffer &patches, &seen, &states;
 };
@@ -30,7 +31,7 @@ ExactTables may_be_absent(const ExactArgs& args) {
             .states = args.batches != nullptr ? args.batches->states : args.screen};
 }
 
-/// What lists are sorted by, where their entries are.
+/// The ranges by which lists are sorted, and the places of their entries.
 struct ListRanges {
     Buffer& ranges;
 };
@@ -38,7 +39,7 @@ struct KeyTables {
     Buffer &keys, &placed;
 };
 
-/// What is visible of segments in each tile, before it is joined.
+/// The visible parts of segments in each tile, before they are joined.
 struct PieceTables {
     Buffer &piece_offsets, &part_offsets, &piece_kept;
 };
@@ -171,7 +172,8 @@ void Stages::visible_write(const ExactArgs& args) {
 
 namespace {
 
-/// What is seen of the ways beside segments, on either side and on the other one.
+/// The visible parts of the ways beside segments: those on either side, and those on the other
+/// side.
 struct WayTables {
     Buffer &beside_offsets, &beside, &within_offsets, &within;
 };
@@ -221,7 +223,7 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .capacity = args.run_capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_runs>(
-        std::max(parameters.blocks, 1U), // the first writes the record
+        std::max(parameters.blocks, 1U), // the first work-item writes the record
         tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
         BlockOffsets{counts});
 }
@@ -239,7 +241,7 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .capacity = args.interval_capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_intervals>(
-        std::max(parameters.blocks, 1U), // the first writes the total
+        std::max(parameters.blocks, 1U), // the first work-item writes the total
         tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
         BlockOffsets{counts});
 }

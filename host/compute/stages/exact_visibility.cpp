@@ -21,10 +21,10 @@ constexpr float sum_rounding = 2.5e-7F;
 /// Rounding of a position on the screen, as a share of the picture's longer side.
 constexpr float place_rounding = 1e-7F;
 
-/// Triangles that are good to have in a tile, were they all in one layer.
+/// A good number of triangles in a tile, if they were all in one layer.
 constexpr float triangles_per_tile = 400;
 constexpr float smallest_tile = 4, largest_tile = 64;
-constexpr float most_tiles_a_side = 128; // or tiles are larger
+constexpr float most_tiles_a_side = 128; // with more, tiles are made larger
 
 /// First guesses; a frame that needs more makes its tables grow.
 constexpr std::uint32_t least_entries = 1U << 8U, most_entries = 1U << 14U;
@@ -32,7 +32,7 @@ constexpr std::uint32_t least_groups = 1U << 6U, most_groups = 1U << 12U;
 constexpr std::uint32_t triangles_per_group = 8; // the last group of a tile is seldom full
 constexpr std::uint32_t first_span_capacity = 1U << 13U;
 
-/// Pixels, a power of two: small where many triangles lie in few pixels.
+/// The side of tiles in pixels, a power of two. It is small if many triangles lie in few pixels.
 float tile_size_for(const Camera& camera, const Bounds& bounds, std::uint32_t triangles) {
     const glm::vec2 covered{
         screen_bounds(bounds, camera.clip_from_world(), camera.size, 0, 1).size()};
@@ -193,7 +193,7 @@ void ExactVisibility::visible(const ClippedTable& clipped) {
 
 std::uint32_t ExactVisibility::grown(std::uint32_t needed, std::size_t element) const {
     constexpr std::uint64_t uncountable = std::numeric_limits<std::uint32_t>::max();
-    if (needed == uncountable) { // where sums stop
+    if (needed == uncountable) { // the value at which sums stop
         throw DeviceError(beyond_limit(purpose::exact, "over 4 billion faces in its lists",
                                        "kernels count to 4 billion"));
     }

@@ -19,32 +19,33 @@ class ExactVisibility {
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
-    /// The lines are others, in the same tables.
+    /// Call when the tables hold other lines.
     void forget_lines() { triangles_.forget(); }
-    /// Before the stages of a frame. `camera`: a standard one; `bounds`: around the model as it
-    /// stands; `contact`: what is nearer to a plane than that touches it (contact_of()).
+    /// Call before the stages of a frame. `camera`: a standard camera. `bounds`: those of the model
+    /// at its current places. `contact`: points nearer to a plane than this touch it
+    /// (contact_of()).
     void begin(const SegmentTable& table, const Camera& camera, const Bounds& bounds,
                float contact);
-    /// To other segments of the same frame: visible() for these, by the lists of before.
+    /// Goes on with other segments of the same frame. visible() uses the same lists for them.
     void go_on(const SegmentTable& table);
-    // The stages of a frame, in this order; again where grow() says so.
+    // The stages of a frame, in this order. Repeat them if grow() says so.
     void surfaces(const ClippedTable& clipped);
-    /// Between surfaces() and project_clip: which batches of segments can't be seen. Those that are
-    /// hidden are left out only where `drops_hidden`.
+    /// Finds batches of segments that cannot be seen. Call between surfaces() and project_clip.
+    /// Hidden batches are left out only if `drops_hidden`.
     void find_batches(const ClippedTable& clipped, const BatchTable& segments, bool drops_hidden);
     void tile_lists(const ClippedTable& clipped);
     void visible(const ClippedTable& clipped);
-    /// After the last visible(): which parts of what it found have the background on one side, and
-    /// on the other one a body that is `depth` pixels deep. Waits.
+    /// Finds the visible parts with the background on one side and a body that is `depth` pixels
+    /// deep on the other. Call after the last visible(). Waits for the device.
     OutlineTable outline(const ClippedTable& clipped, float depth);
-    /// Enlarges the tables that were too small, and waits for that; true if tile_lists() and
-    /// visible() must be done again. Where only spans found no room they are written now.
+    /// Enlarges tables that were too small, for which it waits. Returns true if tile_lists() and
+    /// visible() must be done again. If only spans had no room, it writes them itself.
     bool grow(const ClippedTable& clipped);
 
-    /// Of the last visible().
+    /// The result of the last visible().
     SpanTable spans() const;
-    /// A uint32 per segment and one more, not in use before visible(): for what project_clip
-    /// counts.
+    /// A table of a uint32 per segment and one more for the counts of project_clip. visible() uses
+    /// it later.
     Buffer& counts() const { return tables_[Table::span_offsets]; }
 
   private:
@@ -93,17 +94,17 @@ class ExactVisibility {
     Stages& stages_;
     Device& device_;                    ///< of stages_
     std::optional<SegmentTable> table_; ///< of the current frame
-    bool has_found_ = false;            ///< what is visible of other lines, since release()
+    bool has_found_ = false;            ///< visible parts of other lines were found since release()
     ExactParameters parameters_{};
     Batches triangles_;
     std::optional<BatchTable> batches_; ///< of the current frame's triangles
     GrowingTables<Table> tables_;
-    /// What is seen of ways beside the segments.
+    /// Tables of the visible parts of ways beside segments.
     struct Beside {
         Table kept, offsets, spans;
         std::uint32_t capacity = 0; ///< of spans
     };
-    /// Of what stands in Table::pushed, so many ways of each of `seen` segments.
+    /// Finds the visible parts of the ways in Table::pushed. ways: per segment. seen: segments.
     void find_beside(const ClippedTable& clipped, std::uint32_t seen, std::uint32_t ways,
                      Beside& beside);
     Beside beside_{Table::beside_kept, Table::beside_offsets, Table::beside_spans};

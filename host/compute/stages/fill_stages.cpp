@@ -11,7 +11,7 @@ namespace lineatlas::compute {
 namespace {
 
 struct Colors {
-    Buffer& colors; ///< any of uints where they are not read
+    Buffer& colors; ///< any table of uints if they are not read
 };
 
 FillColorsParameters colors_parameters(const FillArgs& args) {
@@ -24,8 +24,7 @@ FillColorsParameters colors_parameters(const FillArgs& args) {
             .lit = toon || fill.mode == FillMode::lambert ? 1U : 0U,
             .plain = {fill.color, 1},
             .eye = args.eye,
-            // What stands on a face goes by the inverse of what the face goes by, from the other
-            // side.
+            // Normals are turned by the transposed inverse of the matrix that turns faces.
             .eye_from_normal =
                 glm::mat4{glm::transpose(glm::inverse(glm::mat3{args.eye_from_world}))},
             .light = {light, 0},

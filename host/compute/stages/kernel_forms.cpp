@@ -8,13 +8,13 @@
 namespace lineatlas::compute {
 namespace {
 
-/// With a work-item per block of elements.
+/// Kernels with a work-item per block of elements.
 constexpr std::string_view in_blocks[] = {
     "atlas",         "temporal",         "intervals_count", "intervals_write",    "spans_count",
     "spans_runs",    "spans_intervals",  "compact_count",   "compact_write",      "filter_count",
     "filter_write",  "tile_lists_count", "tile_lists_fill", "tile_lists_arrange", "fill_pixels",
     "strokes_count", "strokes_list"};
-/// In groups of one.
+/// Kernels in work-groups of one.
 constexpr std::string_view alone[] = {"scan_chunks_reduce", "scan_chunks_apply", "depth_order",
                                       "depth_tiles"};
 
@@ -30,7 +30,7 @@ KernelForm form_of(const Kernel& kernel, const Tuning& tuning) {
     return {&kernel, tuning.local_size, true};
 }
 
-/// Whether a whole picture's frame launches that variant.
+/// Whether the frame of a whole picture launches this variant.
 bool is_launched(const Kernel& kernel, std::uint32_t probes, const Tuning& tuning) {
     if (kernel.name == "scan_list") return kernel.defines == first_variant("scan_list").defines;
     if (kernel.stage == "scan") return kernel.has_barriers == tuning.scan_tiles;

@@ -13,28 +13,29 @@
 namespace lineatlas::compute {
 
 /// A kernel in the form in which Stages launches it on a device. Drivers build another form for
-/// other work-groups.
+/// other sizes of work-groups.
 struct KernelForm {
     const Kernel* kernel;
     std::uint32_t group; ///< Launch::group
-    bool per_element;    ///< has a work-item per element of a table: there may be very many
+    bool per_element;    ///< has a work-item per element of a table, so there may be very many
 };
 
-/// Of all kernels of these stages, those that a frame launches that takes `probes` per axis (1 to
-/// 4) and is drawn whole, in the order of all_kernels().
+/// The kernels of these stages that a frame launches if it takes `probes` per axis (1 to 4) and is
+/// drawn whole, in the order of all_kernels().
 std::vector<KernelForm> kernel_forms(std::span<const std::string_view> stages, std::uint32_t probes,
                                      const Tuning& tuning);
 
-/// Launches kernels with nothing to do, so that they are built before there is.
+/// Launches kernels with nothing to do, so that they are built before they are needed.
 class IdleLaunches {
   public:
     /// `device` must outlive it.
     explicit IdleLaunches(Device& device);
 
-    /// Waits. `many`: for `many_items` work-items and more, of kernels per element.
+    /// Launches a kernel and waits. `many`: kernels per element get the form for `many_items`
+    /// work-items and more.
     void launch(const KernelForm& form, bool many = false);
 
-    /// From so many on PoCL builds a kernel once more.
+    /// The number of work-items from which on PoCL builds a kernel once more.
     static constexpr std::uint32_t many_items = 1U << 16U;
 
   private:

@@ -55,8 +55,8 @@ struct FilterArgs {
     Buffer& filtered_record; ///< out: one `FrameRecord`
 };
 
-/// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or so many times that that no
-/// picture has more than 1024 cells a side. So the grid of a poster takes no more than 64 MiB.
+/// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or a multiple of it for pictures
+/// that would have more than 1024 cells a side. So the grid of a poster takes no more than 64 MiB.
 inline int density_cell(glm::vec2 viewport) {
     constexpr int most = 1024 * LA_DENSITY_CELL;
     const int longer = static_cast<int>(std::max(viewport.x, viewport.y));
@@ -81,9 +81,9 @@ struct DensityArgs {
     glm::vec4 focus;     ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
     float far_limit;     ///< factor of the limit far from the focus
     bool hidden = false; ///< runs are of hidden lines
-    /// Where segments come in chunks: `grid` of those before; nothing before the first.
+    /// `grid` of the chunks before, if segments come in chunks; empty for the first chunk.
     std::span<const std::uint32_t> drawn_before{};
-    Buffer& grid; ///< out: what was drawn, a uint each, LA_DENSITY_BINS planes of density_cells()
+    Buffer& grid; ///< out: drawn length, a uint32 each, LA_DENSITY_BINS planes of density_cells()
     Buffer& weights; ///< out: floats 0 to 1, as many
 };
 
@@ -93,7 +93,7 @@ struct OutlineTable {
     Buffer& parts;        ///< two floats each, from and to, in the units of runs
 };
 
-/// The same of samples, by the depth buffer.
+/// Arguments for finding outlines among samples, by the depth buffer.
 struct OutlineSamplesArgs {
     SegmentTable table;
     ClippedTable clipped;
@@ -109,7 +109,7 @@ struct OutlineSamplesArgs {
 /// Which pen draws which run.
 struct PensArgs {
     SegmentTable table;
-    /// Per segment of the line set a uint32: pen, and from bit 16 that of its outline.
+    /// A uint32 per segment of the line set: its pen, and from bit 16 the pen of its outline.
     Buffer& segment_pens;
     const OutlineTable* outline; ///< null: nothing is one
     Buffer& runs;                ///< in: `Run` each
@@ -122,7 +122,7 @@ struct PensArgs {
 
 /// Where runs lie on the screen, in their order.
 struct StrokeLists {
-    Buffer& ends;           ///< out: uint32: per tile and chunk of runs, and how many in all
+    Buffer& ends;           ///< out: a uint32 per tile and chunk of runs, and the number of all
     Buffer& entries;        ///< out: uint32 each
     std::uint32_t capacity; ///< of `entries`; beyond it nothing is written
 };
@@ -155,13 +155,13 @@ struct StrokeArgs {
     float opacity;
     std::uint32_t end_kinds;         ///< LA_STROKES_*
     bool hidden = false;             ///< runs of hidden samples
-    std::uint32_t pen = LA_ALL_PENS; ///< whose runs are drawn
+    std::uint32_t pen = LA_ALL_PENS; ///< the pen whose runs are drawn
     Buffer* mark = nullptr; ///< floats along the mark, the last before the first and the first
                             ///< behind the last; null: solid
-    std::uint32_t mark_length = 0;      ///< of them, without the two at its ends
+    std::uint32_t mark_length = 0;      ///< values of the mark, without the two at its ends
     float repeat_length = 1;            ///< pixels
     Buffer* weights = nullptr;          ///< of `density`; null: all is drawn
-    bool again = false;                 ///< over what is there
+    bool again = false;                 ///< draws over what is there
     Buffer& coverage;                   ///< out: a byte per pixel of `part`
     Buffer& shown;                      ///< out: a uint32 per tile of part_tiles()
     std::uint32_t layer = 0, pitch = 0; ///< of `coverage`; the layer's bytes

@@ -1,4 +1,4 @@
-// Runs of visible samples, and what a style makes of them.
+// Makes runs of visible samples, and changes them by a style.
 #include <algorithm>
 
 #include "compute/transfer.hpp"
@@ -43,10 +43,10 @@ void Stages::compact(const CompactArgs& args) {
     launch_grouped<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
                                            args.atlas.clipped, args.atlas, Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
-    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), // the first writes the record
-                                           tuning_.block_local_size, parameters, args.table,
-                                           args.atlas.clipped, args.atlas, args,
-                                           BlockOffsets{counts});
+    // The first work-item writes the record.
+    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), tuning_.block_local_size,
+                                           parameters, args.table, args.atlas.clipped, args.atlas,
+                                           args, BlockOffsets{counts});
 }
 
 void Stages::halo(const HaloArgs& args) {
@@ -63,7 +63,7 @@ void Stages::halo(const HaloArgs& args) {
     scan(ends, tile_count, ScanKind::saturate);
     parameters.total = read_one<la_uint>(device_, ends, tile_count);
     constexpr std::size_t tables = 7;      // of struct Lists
-    if (parameters.total == 0xFFFFFFFFU) { // where sums stop
+    if (parameters.total == 0xFFFFFFFFU) { // the value at which sums stop
         throw DeviceError(beyond_limit(purpose::halos, "over 4 billion pieces of lines",
                                        "kernels count to 4 billion"));
     }
@@ -85,7 +85,7 @@ void Stages::filter(const FilterArgs& args) {
                                       .run_capacity = n,
                                       .filtered_capacity = args.filtered_capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any: it isn't read
+    Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any table, which is not read
     launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
                                           args.atlas.clipped, args.atlas, args, Cuts{cuts},
                                           Counts{counts});
@@ -98,7 +98,7 @@ void Stages::filter(const FilterArgs& args) {
 }
 
 void Stages::outline_samples(const OutlineSamplesArgs& args) {
-    // Texels beside the line, not those that its own faces reach into.
+    // Looks at texels beside the line, not at those that its own faces reach into.
     constexpr float clearance = 0.75F; // texels, half a diagonal
     const std::uint32_t n = args.table.segment_count;
     const OutlineSamplesParameters parameters{.count = n,
@@ -121,7 +121,7 @@ void Stages::pens(const PensArgs& args) {
     const std::uint32_t n = args.run_capacity;
     const bool tells = args.outline != nullptr;
     const bool ordered = args.table.origins != nullptr;
-    // Any tables where they are not read:
+    // Any tables stand for those that are not read.
     const OutlineTables outlines{tells ? args.outline->part_offsets : args.record,
                                  tells ? args.outline->parts : args.record,
                                  ordered ? *args.table.origins : args.segment_pens};

@@ -21,12 +21,12 @@ struct FaceRange {
 
 /// Silhouettes of contours that the host has found.
 struct TracedSilhouettes {
-    /// Two for each place: on the surface, and lifted off it, as the stage `contour` has them.
+    /// Two for each place, as in the stage `contour`: on the surface, and lifted off it.
     std::vector<glm::vec3> vertices;
     /// Paths one after the other, with ends in `vertices`.
     std::vector<Segment> segments;
-    std::vector<std::uint32_t> faces;      ///< of segments: which face of contours it runs over
-    std::span<const FaceRange> instead_of; ///< what the stage `contour` would find in these
+    std::vector<std::uint32_t> faces;      ///< per segment the face of contours that it runs over
+    std::span<const FaceRange> instead_of; ///< faces whose silhouettes these replace
 };
 
 /// The silhouettes of a frame as paths: they take the place of the candidates in the table of
@@ -34,8 +34,8 @@ struct TracedSilhouettes {
 /// which grow when a frame needs more.
 class SilhouetteChains {
   public:
-    /// Where contours (kernels/contour.cl) are drawn: on their surface, or lifted off it to where
-    /// visibility is asked of them, for stages that know of no other place.
+    /// Where contours (kernels/contour.cl) are drawn: on their surface, or lifted off it to the
+    /// places where visibility is tested, for stages that know only one place.
     enum class Contours { on_surface, lifted };
 
     /// `stages` must outlive it.
@@ -45,16 +45,16 @@ class SilhouetteChains {
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
-    /// Chains keep their names and directions from the frame before, whose ChainOrder::positions
-    /// these are; null: from none.
+    /// Makes chains keep their names and directions from the frame before. positions_before:
+    /// ChainOrder::positions of that frame; null: there is none.
     void follow(Buffer* positions_before) { positions_before_ = positions_before; }
-    /// The table of segments has others in it.
+    /// Call when the table holds other segments.
     void forget_lines() {
         fixed_of_ = nullptr;
         vertices_of_ = {};
     }
 
-    /// The table of a frame: with the silhouettes that `view` shows, or with none where they aren't
+    /// The table of a frame, with the silhouettes that `view` shows, or with none unless they are
     /// `wanted`. Waits for their number. `clock(name, action)` runs a stage.
     template <class Clock>
     SegmentTable table_of(const SegmentTable& candidates, bool wanted, const SilhouetteView& view,
@@ -64,9 +64,10 @@ class SilhouetteChains {
         clock("facing", [&] { stages_.facing({candidates, view.eye, front()}); });
         return find(candidates, front(), view, clock);
     }
-    /// The next frame has these in place of what it would find there.
+    /// Gives the next frame silhouettes that the host has found, in place of those that it would
+    /// find itself.
     void take(TracedSilhouettes traced) { traced_ = std::move(traced); }
-    /// Which triangles face the eye in that frame; a byte each.
+    /// Whether triangles face the eye in that frame; a byte each.
     Buffer& front() const { return tables_[Table::front]; }
     /// The last step of table_of(), of a table that has candidates.
     template <class Clock>
@@ -85,12 +86,12 @@ class SilhouetteChains {
         return with_chains(table);
     }
 
-    /// Where the silhouettes of the last frame came from, as chain_write has it; waits. Empty if
-    /// there were none.
+    /// Where the silhouettes of the last frame came from, see chain_write. Waits for the device.
+    /// Empty if there were none.
     std::vector<std::uint32_t> read_origins() const;
-    std::uint32_t first() const { return first_; } ///< segment of them
-    /// For `temporal`; `positions_before` holds as many as `table.candidates`. Not where the last
-    /// frame was without().
+    std::uint32_t first() const { return first_; } ///< the first segment that is a silhouette
+    /// The order for `temporal`. `positions_before` must hold as many as `table.candidates`. Only
+    /// if has_order().
     ChainOrder order(const SegmentTable& table, Buffer& positions_before) const;
     bool has_order() const { return has_order_; }
 
@@ -98,10 +99,10 @@ class SilhouetteChains {
     SegmentTable without(const SegmentTable& table);
     void contour(const SegmentTable& table, const SilhouetteView& view);
     void list(const SegmentTable& table, Buffer& front);
-    /// found: how many silhouettes the device has found, before those that are traced.
+    /// found: silhouettes that the device has found; traced ones follow them.
     void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view,
                         std::uint32_t found);
-    /// With the vertices of the frame's contours behind its own.
+    /// The table with the vertices of the frame's contours behind its own.
     SegmentTable with_contours(const SegmentTable& table) const;
     void chain(const SegmentTable& table, const SilhouetteView& view, std::uint32_t found);
     void add_traced(const SegmentTable& table, std::uint32_t found);
@@ -138,8 +139,8 @@ class SilhouetteChains {
     std::uint32_t count_ = 0; ///< silhouettes of the last frame
     bool has_order_ = false;
     Buffer* positions_before_ = nullptr;
-    const Buffer* fixed_of_ = nullptr; ///< whose fixed lines stand in `ordered`
-    /// Whose vertices stand in `vertices`, and their SegmentTable::version.
+    const Buffer* fixed_of_ = nullptr; ///< the table whose fixed lines stand in `ordered`
+    /// The table whose vertices stand in `vertices`, and their SegmentTable::version.
     std::pair<const Buffer*, std::uint64_t> vertices_of_{};
     GrowingTables<Table> tables_;
 };

@@ -58,7 +58,7 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     return parameters;
 }
 
-/// Tables that project_clip may do without: then others stand for them that it does not read.
+/// Tables that project_clip may do without. Then other tables, which are not read, stand for them.
 struct ClipTables {
     Buffer &batches, &states, &tiles, &numbers;
 };

@@ -31,8 +31,8 @@ struct BlockOffsets {
     Buffer& block_offsets;
 };
 
-/// The stages that are kernels, each with the kernels that it launches, in which order and on which
-/// tables; the same on every device. As asynchronous as the device is.
+/// The stages that kernels run. Each function launches the kernels of a stage, in the same order
+/// and on the same tables on every device. It is as asynchronous as the device.
 class Stages {
   public:
     /// `device` must outlive it.
@@ -40,13 +40,13 @@ class Stages {
 
     Device& device() const { return device_; }
 
-    /// One kernel, `items` work-items of it: nothing if there are none.
+    /// Launches `items` work-items of one kernel, or nothing if there are none.
     template <class K>
     void launch(std::uint32_t items, const typename K::Parameters& parameters,
                 const typename K::Tables& tables) {
         launch_grouped<K>(items, tuning_.local_size, parameters, tables);
     }
-    /// Each table is that of its name in the first of `groups` that has one.
+    /// Each table is taken by its name from the first of `groups` that has it.
     template <class K, class... Groups>
     requires(sizeof...(Groups) > 0 && (!std::same_as<Groups, typename K::Tables> &&
                                        ...)) void launch(std::uint32_t items,
@@ -54,7 +54,7 @@ class Stages {
                                                          const Groups&... groups) {
         launch_grouped<K>(items, tuning_.local_size, parameters, groups...);
     }
-    /// The same of a kernel with no parameter but how many elements it does something for.
+    /// Launches a kernel whose only parameter is the number of its elements.
     template <class K>
     void launch_each(std::uint32_t count, const typename K::Tables& tables) {
         launch<K>(count, CountParameters{count}, tables);
@@ -76,8 +76,9 @@ class Stages {
     void silhouette_list(const SilhouetteListArgs& args);
     void contour_places(const ContourPlacesArgs& args);
     void chain(const ChainArgs& args);
-    /// Which of args.batches lie outside the frustum or, where `drops_hidden`, behind the pyramid:
-    /// then it must be that of numbered triangles, and nobody asks how long lines are.
+    /// Finds those of args.batches that lie outside the frustum or, if `drops_hidden`, behind the
+    /// pyramid. Then the pyramid must be that of numbered triangles, and nobody may need lengths of
+    /// lines.
     void project_clip_batches(const ProjectClipArgs& args, bool drops_hidden);
     void project_clip(const ProjectClipArgs& args);
     /// `values`: n inputs and room for one more; see kernels/scan.cl.
@@ -87,12 +88,12 @@ class Stages {
     void temporal(const TemporalArgs& args);
     void intervals(const IntervalsArgs& args);
     void surfaces(const ExactArgs& args);
-    /// After occluders are found: which batches of segments or triangles lie outside the picture
-    /// or, where `drops_hidden`, behind faces that cover whole tiles.
+    /// Finds batches of segments or triangles that lie outside the picture or, if `drops_hidden`,
+    /// behind faces that cover whole tiles. Call after occluders are found.
     void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
     void tile_lists(const ExactArgs& args);
-    void visible(const ExactArgs& args); ///< waits where Tuning::face_lists
-    /// The last step of visible(), alone: where the table of spans was too small for it.
+    void visible(const ExactArgs& args); ///< waits if Tuning::face_lists
+    /// The last step of visible() alone, for a table of spans that was too small for it.
     void visible_write(const ExactArgs& args);
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
@@ -109,10 +110,10 @@ class Stages {
     void draw_strokes(const StrokeArgs& args);
 
   private:
-    // Where Tuning::face_lists. What tile_lists_arrange does:
+    // With Tuning::face_lists: does the work of tile_lists_arrange.
     void arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
                             Buffer& ranges);
-    /// What visible_count does, piece by piece: of each segment in each tile. Waits.
+    /// Does the work of visible_count piece by piece, for each segment in each tile. Waits.
     void count_pieces(const ExactArgs& args, const ExactParameters& parameters);
     template <class K>
     void launch_grouped(std::uint32_t items, std::uint32_t group,
@@ -133,12 +134,12 @@ class Stages {
         launch_grouped<K>(items, group, parameters, K::tables_of(groups...));
     }
 
-    /// Those of `args`, or such of which nothing is known.
+    /// The blank tiles of `args`, or a table in which nothing is known to be blank.
     Buffer& blank_tiles(const DepthArgs& args);
-    /// Of what `wanted` asks for, per block of segments, scanned.
+    /// Counts of the parts that parameters.wanted asks for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
-    /// What stages keep from call to call, for its memory alone.
+    /// Tables that stages keep from call to call only for their memory.
     enum class Scratch {
         scan_sums,
         block_counts,
@@ -167,7 +168,7 @@ class Stages {
         raw_parts,
         count
     };
-    /// With room for at least `count` uint32.
+    /// A table with room for at least `count` uint32.
     Buffer& scratch(Scratch name, std::size_t count) {
         scratch_.make_room(name, count * sizeof(la_uint));
         return scratch_[name];

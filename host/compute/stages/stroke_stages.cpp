@@ -1,4 +1,4 @@
-// `strokes` by kernels: runs into tiles of the picture, and those drawn.
+// `strokes` by kernels: lists runs by tiles of the picture, and draws the tiles.
 #include <algorithm>
 
 #include "divide_up.hpp"
@@ -63,7 +63,7 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     Buffer& unread = args.lists.ends; // any
-    // No list is longer than all runs are; no loop than the device allows.
+    // No list has more runs than there are, and no loop is longer than the device allows.
     do {
         parameters.begin = parameters.end;
         parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);

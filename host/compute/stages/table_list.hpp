@@ -17,10 +17,11 @@ class TableList {
     static void add(Device& device, Buffer& buffer, const TableName& name);
 };
 
-/// As Device::allocate, and counted; the message of a Shortage says what the memory was for.
+/// Device::allocate(), with the memory counted. The message of a Shortage says what the memory was
+/// for.
 std::unique_ptr<Buffer> allocate(Device& device, std::size_t bytes, const TableName& name);
 
-/// What all tables for one of these purposes take.
+/// The bytes of all tables for any of these purposes.
 std::uint64_t bytes_for(const Device& device, std::initializer_list<const Purpose*> purposes);
 
 } // namespace lineatlas::compute

@@ -6,8 +6,8 @@
 
 namespace lineatlas::compute {
 
-/// What a table is called where memory is listed, and what it is for. docs/architecture.md says
-/// how large each is.
+/// The name of a table in lists of memory, and its purpose. docs/architecture.md says how large
+/// each is.
 struct TableName {
     std::string_view name;
     const Purpose& purpose;

@@ -20,14 +20,14 @@ inline std::uint64_t room_to_grow(const Device& device, std::uint64_t needed,
                              std::min(device.largest_buffer(), device.free_memory()) / size);
 }
 
-/// A first guess at how many elements a table must hold that can grow: no more than a buffer does.
+/// The first capacity of a table that can grow: the guess, or less if a buffer does not hold it.
 template <class Element>
 std::uint32_t first_capacity(const Device& device, std::uint32_t guess) {
     return static_cast<std::uint32_t>(
         std::min<std::uint64_t>(guess, device.largest_buffer() / sizeof(Element)));
 }
 
-/// How many elements a table gets that must hold `needed` of them and may have to grow again.
+/// Capacity for `needed` elements with room to grow.
 template <class Element>
 std::uint32_t capacity_for(const Device& device, std::uint32_t needed) {
     constexpr std::uint64_t most_counted = std::numeric_limits<std::uint32_t>::max();
@@ -35,16 +35,15 @@ std::uint32_t capacity_for(const Device& device, std::uint32_t needed) {
         std::min(room_to_grow(device, needed, sizeof(Element)), most_counted));
 }
 
-/// A table on the device alone, made when it is needed, and made anew when more is needed than it
-/// has.
+/// A table on the device alone. It is made when it is needed, and made anew when it is too small.
 class Table {
   public:
-    /// Without any room. `device` and `name` must outlive it.
+    /// Makes a table without room. `device` and `name` must outlive it.
     Table(Device& device, const TableName& name) : device_(&device), name_(&name) {}
 
-    /// Makes room for so many bytes; true if the table is new: what stood there is gone.
+    /// Makes room for `bytes` bytes. Returns true if the table is new and its content is gone.
     bool fit(std::uint64_t bytes) { return make(bytes, bytes); }
-    /// The same of a table that may have to grow again soon.
+    /// As fit(), for a table that may have to grow again soon.
     bool make_room(std::uint64_t bytes) {
         return make(bytes, buffer_ ? room_to_grow(*device_, bytes) : bytes);
     }
@@ -54,7 +53,7 @@ class Table {
     Buffer* get() const { return buffer_.get(); }
     std::uint64_t bytes() const { return buffer_ ? buffer_->size() : 0; }
 
-    /// Makes room for `data`, and it stands at the beginning.
+    /// Makes room for `data` and writes it to the beginning.
     template <class T>
     void upload(std::span<const T> data) {
         fit(data.size_bytes());
@@ -64,7 +63,7 @@ class Table {
   private:
     bool make(std::uint64_t needed, std::uint64_t bytes) {
         if (buffer_ && buffer_->size() >= needed) return false;
-        buffer_.reset(); // it may not fit beside another
+        buffer_.reset(); // another may not fit beside it
         buffer_ = allocate(*device_, bytes, *name_);
         return true;
     }
@@ -74,7 +73,7 @@ class Table {
     std::unique_ptr<Buffer> buffer_;
 };
 
-/// The tables of a stage, by the names of an enumeration that ends in `count`.
+/// The tables of a stage, by the enumerators of an enumeration that ends in `count`.
 template <class Name>
 class GrowingTables {
   public:
@@ -83,7 +82,7 @@ class GrowingTables {
         : tables_(make(
               device, [&](std::size_t i) -> const TableName& { return names[i]; },
               std::make_index_sequence<index(Name::count)>{})) {}
-    /// All by one name.
+    /// All tables get one name.
     GrowingTables(Device& device, const TableName& name)
         : tables_(make(
               device, [&](std::size_t) -> const TableName& { return name; },

@@ -12,7 +12,7 @@
 
 namespace lineatlas::compute {
 
-/// Where silhouettes of smooth surfaces may run, as LineSet::contours has it.
+/// Where silhouettes of smooth surfaces may run: LineSet::contours on the device.
 struct ContourTables {
     Buffer* corners = nullptr;      ///< `ContourCorner` each
     Buffer* edges = nullptr;        ///< `ContourEdge` each
@@ -21,11 +21,11 @@ struct ContourTables {
     Buffer* patches = nullptr; ///< per triangle a uint32: of which surface it is, or LA_NO_SURFACE
     std::uint32_t edge_count = 0;
     std::uint32_t face_count = 0;   ///< the last candidates
-    std::uint32_t replaced = 0;     ///< candidates before them that they stand for
+    std::uint32_t replaced = 0;     ///< candidates before them that contours stand for
     std::uint32_t vertex_count = 0; ///< of the mesh
 };
 
-/// Segments that are drawn where they are silhouettes: the last ones of a table.
+/// Segments that are drawn only if they are silhouettes, the last ones of a table.
 struct SilhouetteCandidates {
     std::uint32_t first = 0; ///< in the segment table
     std::uint32_t count = 0;
@@ -34,9 +34,9 @@ struct SilhouetteCandidates {
     Buffer* ends = nullptr; ///< 2 uint32 per candidate: 2 i + end, by the vertex there
     std::optional<ContourTables> contours{};
 
-    /// Of them, how many are edges of the mesh that no contour stands for, and how many are edges.
+    /// The number of candidates that are edges of the mesh and that no contour stands for.
     std::uint32_t kept_edges() const { return edges() - (contours ? contours->replaced : 0); }
-    /// Those that may be silhouettes: the others are never any.
+    /// The number of candidates that may be silhouettes; the others never are.
     std::uint32_t drawable() const { return count - (contours ? contours->replaced : 0); }
     std::uint32_t edges() const { return count - (contours ? contours->face_count : 0); }
 };
@@ -49,8 +49,8 @@ struct SegmentTable {
     std::uint32_t triangle_count;
     std::uint32_t segment_count;
     SilhouetteCandidates candidates{};
-    /// Of the silhouettes of a frame's own table, as chain_write has them; null: it has them where
-    /// the line set has its candidates.
+    /// Where silhouettes of a frame's own table come from, see chain_write. Null: candidates stand
+    /// as in the line set.
     Buffer* origins = nullptr;
     /// Counts changes of what the tables hold.
     std::uint64_t version = 0;
@@ -79,7 +79,7 @@ struct SegmentAtlas {
     std::uint32_t capacity; ///< samples that `alpha` has room for
 };
 
-/// What a depth buffer shows, for probes that know surfaces.
+/// The surfaces in a depth buffer, for probes that know surfaces.
 struct SurfaceTables {
     Buffer& numbers; ///< a uint32 per texel: of a triangle in the order of its clusters, or
                      ///< LA_NO_FACE
@@ -91,14 +91,15 @@ struct SurfaceTables {
 
 /// A depth buffer, and how much of it may stand before a line.
 struct DepthBuffer {
-    /// Floats in [0, 1], rows from the lower left; where surfaces are known they are not read.
+    /// Floats in [0, 1], rows from the lower left. Not read if surfaces are known.
     Buffer& texels;
     glm::ivec2 size;                         ///< that it holds: viewport times scale, or a tile's
     float scale;                             ///< texels per pixel
     float tolerance;                         ///< window depth that may stand before a line, times w
     std::optional<SurfaceTables> surfaces{}; ///< then own faces are numbers in ClippedTable
 
-    /// As kernels take it; where surfaces are not known, any tables that are not read.
+    /// The tables for kernels. If surfaces are not known, other tables, which are not read, stand
+    /// for theirs.
     struct Tables {
         Buffer &depth, &numbers, &planes, &patches;
     };

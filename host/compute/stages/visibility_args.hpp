@@ -11,7 +11,7 @@
 
 namespace lineatlas::compute {
 
-/// What `project_clip` needs to drop segments that are hidden whole.
+/// What `project_clip` needs to drop segments that are hidden as a whole.
 struct OcclusionTest {
     Buffer& tiles; ///< of `pyramid`
     glm::ivec2 tile_count;
@@ -30,12 +30,12 @@ struct ProjectClipArgs {
     std::uint32_t kind_mask;        ///< kinds to draw, bit 1 << kind
     const OcclusionTest* occlusion; ///< null: segments that are hidden whole get samples too
     ClippedTable out;
-    /// A uint32 per triangle: its number in the order of the clusters. Not null: own faces become
-    /// those, for probes that know surfaces.
+    /// A uint32 per triangle: its number in the order of the clusters. If it is not null, own faces
+    /// become these numbers, for probes that know surfaces.
     Buffer* numbers = nullptr;
-    /// What is known of batches of the first segments; null: each is looked at alone.
+    /// States of batches of the first segments; null: each segment is looked at alone.
     const BatchTable* batches = nullptr;
-    float centre_overhang = 0; ///< pixels that centre lines are longer at either end
+    float centre_overhang = 0; ///< pixels by which centre lines are longer at either end
 };
 
 enum class ScanKind {
@@ -60,16 +60,16 @@ struct AtlasArgs {
     const DepthTile* tile = nullptr; ///< null: `depth` is whole
 };
 
-/// What `temporal` remembers of a frame.
+/// The tables of a frame that `temporal` keeps.
 struct History {
     Buffer& alpha;   ///< a copy of the frame's atlas, as large
     Buffer& offsets; ///< a copy of ClippedTable::offsets
     Buffer& ranges;  ///< a uint32 per segment
 };
 
-/// Which segments of a frame are silhouettes in chains, and where they came from.
+/// The segments of a frame that are silhouettes in chains, and where they came from.
 struct ChainOrder {
-    std::uint32_t first; ///< of them
+    std::uint32_t first; ///< the first of these segments
     Buffer& origins;     ///< ChainArgs::origins
     Buffer& positions;   ///< ChainArgs::positions, of `candidates`
     std::uint32_t candidates;

@@ -1,4 +1,4 @@
-// Samples: their visibility, over time, and what is read back of it.
+// Stages of samples: their visibility, its average over time, and the intervals that are read back.
 #include <algorithm>
 
 #include "divide_up.hpp"
@@ -28,13 +28,13 @@ void Stages::atlas(const AtlasArgs& args) {
 
 namespace {
 
-/// Of the frame before.
+/// The tables of the frame before.
 struct BeforeTables {
     Buffer &offsets_before, &before, &origins, &positions_before;
 };
 BeforeTables before_of(const TemporalArgs& args) {
     const ChainOrder* chains = args.chains;
-    Buffer& any = args.atlas.clipped.offsets; // where there are no chains
+    Buffer& any = args.atlas.clipped.offsets; // if there are no chains
     return {.offsets_before = args.history.offsets,
             .before = args.history.alpha,
             .origins = chains != nullptr ? chains->origins : any,
@@ -79,7 +79,7 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .depth_scale = args.depth.scale,
                                          .tolerance = args.depth.tolerance,
                                          .surfaces = args.depth.surface_parameters()};
-    const std::uint32_t items = std::max(blocks, 1U); // the first writes the total
+    const std::uint32_t items = std::max(blocks, 1U); // the first work-item writes the total
     Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
     launch_grouped<kernels::intervals_count>(items, tuning_.block_local_size, parameters,
                                              args.table, args.atlas.clipped, args.atlas,

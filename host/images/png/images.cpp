@@ -1,5 +1,5 @@
-// The module for .png files, with libpng alone. Where OpenImageIO is not installed, there is no
-// other.
+// The module for .png files, with libpng alone. Without OpenImageIO it is the only module for
+// pictures.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ namespace {
 constexpr std::array<png_uint_32, 4> formats{PNG_FORMAT_GRAY, PNG_FORMAT_GA, PNG_FORMAT_RGB,
                                              PNG_FORMAT_RGBA};
 
-/// A libpng picture; what it holds is freed in any case.
+/// A libpng picture that frees its memory in any case.
 struct Picture {
     Picture() { image.version = PNG_IMAGE_VERSION; }
     ~Picture() { png_image_free(&image); }
@@ -46,7 +46,7 @@ Image decode(const std::filesystem::path&, std::string_view file) {
     Picture picture;
     picture.check(png_image_begin_read_from_memory(&picture.image, file.data(), file.size()));
     check_pixel_count(picture.image.width, picture.image.height);
-    picture.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // unless the file says that they are others
+    picture.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; // unless the file says otherwise
     const bool alpha = (picture.image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     const bool color = (picture.image.format & PNG_FORMAT_FLAG_COLOR) != 0;
     const int channels = (color ? 3 : 1) + (alpha ? 1 : 0);
@@ -58,7 +58,7 @@ Image decode(const std::filesystem::path&, std::string_view file) {
     return image;
 }
 
-/// libpng's writer, into memory. What it refuses is thrown.
+/// libpng's writer, into memory. Its errors are thrown.
 class Writer {
   public:
     Writer() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, ignore)) {
@@ -91,7 +91,7 @@ class Writer {
         }
     }
 
-    /// `values`: row by row, as many bits as were described.
+    /// `values`: row by row, with the described number of bits.
     std::vector<unsigned char> write(std::span<const std::byte> values, int rows) {
         png_write_info(png_, info_);
         if (std::endian::native == std::endian::little) png_set_swap(png_); // of 16 bits

@@ -1,4 +1,4 @@
-// A build without libseccomp.
+// For a build without libseccomp.
 #include "io/system_calls.hpp"
 
 namespace lineatlas {

@@ -16,14 +16,14 @@ namespace lineatlas {
 
 namespace {
 
-/// Refuses all system calls but those that are allowed.
+/// Refuses all system calls except the allowed ones.
 class Filter {
   public:
     Filter() : context_(::seccomp_init(SCMP_ACT_ERRNO(EPERM)), ::seccomp_release) {
         if (!context_) check(-ENOMEM);
     }
 
-    /// With arguments as the conditions say, all of them.
+    /// Allows a call if its arguments meet all conditions.
     template <class... Condition>
     void allow(int call, Condition... conditions) {
         rule(SCMP_ACT_ALLOW, call, conditions...);
@@ -36,7 +36,7 @@ class Filter {
         if (result != -EDOM) check(result); // EDOM: this architecture has no such call
     }
 
-    /// For all threads of this process.
+    /// Loads the filter for all threads of this process.
     void load() {
         check(::seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_TSYNC, 1));
         check(::seccomp_load(context_.get()));
@@ -50,13 +50,13 @@ class Filter {
     std::unique_ptr<void, decltype(&::seccomp_release)> context_;
 };
 
-/// As SCMP_A0_64 and its kin, which are no C++.
+/// A condition on an argument, as SCMP_A0_64 and its kin make it, which are not valid C++.
 scmp_arg_cmp argument(unsigned number, scmp_compare compare, scmp_datum_t a, scmp_datum_t b = 0) {
     return {number, compare, a, b};
 }
 
 void allow_descriptors(Filter& filter) {
-    // To those up to stderr only: none of the others has a business here.
+    // Only on descriptors up to stderr. The process has no use for others.
     const scmp_arg_cmp standard = argument(0, SCMP_CMP_LE, STDERR_FILENO);
     for (const int call : {SCMP_SYS(read), SCMP_SYS(write), SCMP_SYS(writev), SCMP_SYS(recvfrom),
                            SCMP_SYS(sendto), SCMP_SYS(fstat), SCMP_SYS(lseek)})
@@ -67,17 +67,17 @@ void allow_descriptors(Filter& filter) {
 void allow_memory(Filter& filter) {
     for (const int call : {SCMP_SYS(brk), SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(madvise)})
         filter.allow(call);
-    // What was written cannot be run.
+    // Memory that was written cannot be executed.
     const scmp_arg_cmp not_run = argument(2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0);
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2), SCMP_SYS(mprotect)})
         filter.allow(call, not_run);
 }
 
-/// Threads of this process, and no process.
+/// Allows new threads of this process, but no new process.
 void allow_threads(Filter& filter) {
     filter.allow(SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD));
-    // Its flags are in memory, where no filter sees them. As if the kernel were older, so that the
-    // C library takes clone.
+    // The flags of clone3 are in memory, where no filter sees them. The filter answers as an older
+    // kernel would, so that the C library uses clone.
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
     for (const int call :
          {SCMP_SYS(futex), SCMP_SYS(futex_time64), SCMP_SYS(set_robust_list), SCMP_SYS(rseq),

@@ -9,8 +9,8 @@ namespace lineatlas::threemf {
 
 namespace {
 
-/// lib3mf goes on with millimetres where it does not know the unit, and without what it does not
-/// know of all that is required.
+/// Refuses units and required parts that lib3mf does not know. lib3mf itself would take millimetres
+/// for the unit and go on without those parts.
 void refuse_unknown(const Handle& reader) {
     const auto count = value<DWORD>(reader, NMR::lib3mf_reader_getwarningcount);
     for (DWORD i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ Handle read_model(std::string_view file) {
     check(NMR::lib3mf_createmodel(&instance), nullptr);
     Handle model{instance};
     const Handle reader = get(model, NMR::lib3mf_model_queryreader, MODELREADERCLASS_3MF);
-    // It only reads, whatever its interface says.
+    // lib3mf only reads the bytes, although its interface does not say so.
     BYTE* const bytes = reinterpret_cast<BYTE*>(const_cast<char*>(file.data()));
     check(NMR::lib3mf_reader_readfrombuffer(reader.get(), bytes, file.size()), reader.get());
     refuse_unknown(reader);

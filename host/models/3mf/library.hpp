@@ -16,7 +16,7 @@ using Handle = std::unique_ptr<NMR::PLib3MFBase, Release>;
 /// Refuses in lib3mf's own words if a call on `instance` failed.
 void check(LIB3MFRESULT result, NMR::PLib3MFBase* instance);
 
-/// The handle that a call gives: `of(model, lib3mf_model_getbuilditems)`.
+/// The handle that a call returns: `get(model, lib3mf_model_getbuilditems)`.
 template <class... Arguments, class... Given>
 Handle get(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... given) {
     NMR::PLib3MFBase* instance = nullptr;
@@ -24,7 +24,7 @@ Handle get(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... given)
     return Handle{instance};
 }
 
-/// The value that a call gives.
+/// The value that a call returns.
 template <class Value, class... Arguments, class... Given>
 Value value(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... given) {
     Value result{};
@@ -32,7 +32,7 @@ Value value(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... given
     return result;
 }
 
-/// The text that a call gives, such as lib3mf_object_getnameutf8.
+/// The text that a call such as lib3mf_object_getnameutf8 returns.
 template <class... Arguments, class... Given>
 std::string text(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... given) {
     ULONG size = 0;
@@ -42,7 +42,7 @@ std::string text(const Handle& of, LIB3MFRESULT (*call)(Arguments...), Given... 
     return result.c_str(); // up to its zero
 }
 
-/// A model as lib3mf reads it out of a package in memory. Refuses what lib3mf does.
+/// A model as lib3mf reads it from a package in memory. Refuses what lib3mf refuses.
 Handle read_model(std::string_view file);
 
 } // namespace lineatlas::threemf

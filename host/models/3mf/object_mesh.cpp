@@ -10,10 +10,10 @@ namespace lineatlas::threemf {
 
 namespace {
 
-/// A triangle's material, or an object's, as the file names it.
+/// The material of a triangle or an object, as the file names it.
 struct Property {
     NMR::eModelPropertyType type = NMR::MODELPROPERTYTYPE_NONE;
-    /// Of base materials their group and index; of colours the colour, and 0.
+    /// For base materials their group and index; for colours the colour and 0.
     DWORD first = 0, second = 0;
 
     auto operator<=>(const Property&) const = default;
@@ -23,7 +23,7 @@ DWORD packed(const NMR::MODELMESHCOLOR_SRGB& color) {
     return DWORD{color.m_Red} | DWORD{color.m_Green} << 8U | DWORD{color.m_Blue} << 16U;
 }
 
-/// A triangle has one colour here: where its corners differ, their mean.
+/// The mean of a triangle's corners, because a triangle has one colour here.
 NMR::MODELMESHCOLOR_SRGB mean(const NMR::MODELMESH_TRIANGLECOLOR_SRGB& corners) {
     const auto of = [&](BYTE NMR::MODELMESHCOLOR_SRGB::*channel) {
         int sum = 0;
@@ -49,7 +49,7 @@ Property property_of(const Handle& properties, DWORD triangle) {
     return property;
 }
 
-/// Of triangles that have none.
+/// The property of triangles without one.
 Property default_property(const Handle& object) {
     const Handle properties = get(object, NMR::lib3mf_object_createdefaultpropertyhandler);
     Property property;
@@ -77,7 +77,7 @@ Material material_of(const Handle& model, const Property& property) {
                 .color = color_of(static_cast<BYTE>(color), static_cast<BYTE>(color >> 8U),
                                   static_cast<BYTE>(color >> 16U))};
     }
-    // A picture is no colour.
+    // Pictures do not count as colours.
     if (property.type != NMR::MODELPROPERTYTYPE_BASEMATERIALS || property.first == 0) return {};
     const Handle group = get(model, NMR::lib3mf_model_getbasematerialbyid, property.first);
     const std::string unnamed = "material " + std::to_string(property.second);

@@ -28,7 +28,7 @@ struct ObjectMesh {
     std::vector<std::uint32_t> triangle_material; ///< per triangle
 };
 
-/// Refuses beam lattices and meshes that only stand for slices.
+/// Reads the mesh of an object. Refuses beam lattices and meshes that only stand for slices.
 ObjectMesh read_mesh(const Handle& model, const Handle& object);
 
 } // namespace lineatlas::threemf

@@ -47,7 +47,7 @@ zip_stat_t stat_of(zip_t* archive, zip_uint64_t index) {
     return stat;
 }
 
-/// The begin of an entry, which holds the first tag of any model that people write.
+/// The beginning of an entry, long enough for the first tag of any usual model.
 std::string head_of(zip_t* archive, zip_uint64_t index) {
     constexpr std::size_t most = 65536;
     const Entry entry{zip_fopen_index(archive, index, 0), &zip_fclose};

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// The extensions whose absence would change the drawing, or would not: what is read of them is.
+/// The extensions that are read as far as they matter for the drawing.
 constexpr std::array<std::string_view, 3> read_ones{
     "http://schemas.microsoft.com/3dmanufacturing/core/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"};
 
-/// What people call the others.
+/// Names for other extensions.
 struct Known {
     std::string_view part; ///< of the namespace
     std::string_view name;
@@ -33,7 +33,7 @@ constexpr std::array known{
 
 using Attributes = std::map<std::string_view, std::string_view>;
 
-/// Behind comments and what else is no tag; empty where there is no tag.
+/// The text from the first tag on, behind comments and the like; empty without a tag.
 std::string_view from_first_tag(std::string_view head) {
     while (true) {
         head.remove_prefix(std::min(head.find('<'), head.size()));
@@ -44,7 +44,7 @@ std::string_view from_first_tag(std::string_view head) {
     }
 }
 
-/// Of the first tag, which is <model ...>.
+/// The attributes of the first tag, <model ...>.
 Attributes attributes_of(std::string_view head) {
     Attributes attributes;
     head = from_first_tag(head);

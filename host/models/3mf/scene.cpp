@@ -25,7 +25,7 @@ glm::dmat4 matrix_of(const NMR::MODELTRANSFORM& transform) {
     return matrix;
 }
 
-/// Millimetres.
+/// The length of a unit in millimetres.
 double length_of(DWORD unit) {
     constexpr std::array<double, 6> lengths{0.001, 1, 10, 25.4, 304.8, 1000};
     return lengths.at(unit);
@@ -59,12 +59,13 @@ class Scene {
         Handle object;
         glm::dmat4 matrix{1}; ///< to the world
         std::uint32_t parent = ModelPart::none;
-        std::string path{}; ///< of what it is in, with a slash
+        std::string path{}; ///< path of the part that contains it, with a slash
         int level = 0;
     };
 
-    /// Depth first, in the order of the file. lib3mf lets components refer to earlier objects only,
-    /// so that nothing holds itself; but a few objects can hold each other thousands of times.
+    /// Adds a tree, depth first, in the order of the file. lib3mf lets components refer only to
+    /// earlier objects, so no object contains itself. But a few objects can contain each other
+    /// thousands of times.
     void add_tree(Step root) {
         constexpr int most_levels = 100;
         constexpr std::size_t most_parts = 1U << 18U;
@@ -153,7 +154,7 @@ class Scene {
     const Handle& model_;
     std::map<DWORD, Shape> shapes_; ///< by the object's number
     std::uint32_t objects_ = 0;
-    std::size_t sliced_ = 0; ///< objects whose shape is in slices, too
+    std::size_t sliced_ = 0; ///< objects that have slices too
     Soup soup_;
 };
 

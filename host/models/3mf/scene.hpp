@@ -5,7 +5,7 @@
 
 namespace lineatlas::threemf {
 
-/// All items of the model's build list in their places, a tree of parts each. Refuses an empty
+/// All items of the model's build list in their places. Each is a tree of parts. Refuses an empty
 /// list.
 Soup read_scene(const Handle& model);
 

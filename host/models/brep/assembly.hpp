@@ -19,9 +19,9 @@ namespace lineatlas::brep {
 /// A shape somewhere in an assembly.
 struct Instance {
     std::uint32_t part; ///< index into Assembly::parts
-    TopoDS_Shape shape; ///< without its location; of several instances the same
+    TopoDS_Shape shape; ///< without its location; the same for all instances of a shape
     TopLoc_Location location;
-    std::optional<glm::vec3> color; ///< of faces that have none
+    std::optional<glm::vec3> color; ///< colour of faces without one
 };
 
 /// The colours of single faces, as the file has them.
@@ -31,14 +31,15 @@ class FaceColors {
     virtual std::optional<glm::vec3> color(const TopoDS_Shape& face) const = 0;
 };
 
-/// What the file calls faces and edges, as #12 of STEP, by the shapes without a location.
+/// The numbers of faces and edges in the file, such as #12 of STEP, by their shapes without a
+/// location.
 using Entities = NCollection_DataMap<TopoDS_Shape, std::uint32_t, TopTools_ShapeMapHasher>;
 
-/// What a file holds, before anything is meshed.
+/// The contents of a file, before anything is meshed.
 struct Assembly {
     std::vector<ModelPart> parts;
     std::vector<Instance> instances;
-    std::unique_ptr<FaceColors> colors; ///< null where there are none
+    std::unique_ptr<FaceColors> colors; ///< null without colours
     std::string format;
     std::optional<double> unit; ///< millimetres of one unit of `instances`
     std::vector<std::string> notes;

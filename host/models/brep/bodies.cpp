@@ -26,7 +26,7 @@ namespace lineatlas::brep {
 
 namespace {
 
-/// The colours of faces that have been sewn, which are others than those of the file.
+/// The colours of sewn faces, which are other shapes than the faces of the file.
 class SewnColors : public FaceColors {
   public:
     explicit SewnColors(std::unique_ptr<FaceColors> file) : file_(std::move(file)) {}
@@ -53,7 +53,7 @@ double size_of(const TopoDS_Shape& shape) {
     return std::sqrt(box.SquareExtent());
 }
 
-/// A shell without an end is what a solid is bounded by; its faces then look outwards.
+/// A closed shell as a solid, whose faces look outwards; other shapes as they are.
 TopoDS_Shape as_solid(const TopoDS_Shape& shape) {
     if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
     BRepBuilderAPI_MakeSolid made(TopoDS::Shell(shape));
@@ -73,7 +73,8 @@ TopoDS_Shape with_solids(const TopoDS_Shape& sewn) {
     return result;
 }
 
-/// A lone face that was sewn may have a place of its own, which must not pass for an instance's.
+/// A shape without a location. A lone sewn face may have one, which must not be taken for that of
+/// an instance.
 TopoDS_Shape without_place(const TopoDS_Shape& shape) {
     if (shape.Location().IsIdentity()) return shape;
     TopoDS_Compound around;
@@ -96,7 +97,7 @@ class Bodies {
             old_parts_ = std::exchange(assembly_.parts, {});
             old_instances_ = std::exchange(assembly_.instances, {});
         }
-        // Parts of bodies stand right behind the part that they are in.
+        // Parts of bodies stand right behind the part that contains them.
         std::vector<std::uint32_t> moved(old_parts_.size());
         std::vector<std::vector<const Instance*>> instances(old_parts_.size());
         for (const Instance& instance : old_instances_)
@@ -112,7 +113,7 @@ class Bodies {
     }
 
   private:
-    /// Faces and curves at the top, which are many and belong together: a part of each kind.
+    /// Collects the many faces and curves at the top that belong together into a part of each kind.
     void collect_loose() {
         BRep_Builder builder;
         TopoDS_Compound faces, curves;
@@ -188,7 +189,8 @@ class Bodies {
         return own ? own : instance.color;
     }
 
-    /// Faces are known with the place that they have in the file's shape.
+    /// Keeps colours of a body's faces. The file's colours are found by faces with their place in
+    /// the file's shape.
     void keep_colors(const TopoDS_Shape& body, const TopoDS_Shape& here) {
         TopExp_Explorer faces(here, TopAbs_FACE);
         for (TopExp_Explorer each(body, TopAbs_FACE); each.More(); each.Next(), faces.Next())
@@ -200,7 +202,7 @@ class Bodies {
         return TopExp_Explorer(body, TopAbs_SOLID).More();
     }
 
-    /// A group that holds no group is one body.
+    /// Finds bodies. A group without groups in it is one body.
     static void find_bodies(const TopoDS_Shape& shape, int level,
                             std::vector<TopoDS_Shape>& bodies) {
         constexpr int most_levels = 200;
@@ -228,15 +230,15 @@ class Bodies {
         if (has_rest) bodies.push_back(rest);
     }
 
-    /// Of several instances the same. Solids and shells are sewn already.
+    /// A sewn body, the same for all its instances. Solids and shells are sewn already.
     const TopoDS_Shape& sewn(const TopoDS_Shape& body) {
         if (const TopoDS_Shape* known = sewn_.Seek(body)) return *known;
         sewn_.Bind(body, body.ShapeType() == TopAbs_COMPOUND ? sew_faces(body) : body);
         return sewn_.Find(body);
     }
 
-    /// The colour of all faces that have one. Open CASCADE loses those of faces that it had to
-    /// mend.
+    /// The one colour of all faces that have a colour. Open CASCADE loses the colours of faces that
+    /// it had to mend.
     std::optional<glm::vec3> common_color(const TopoDS_Shape& group) const {
         std::optional<glm::vec3> common;
         for (TopExp_Explorer faces(group, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -247,8 +249,9 @@ class Bodies {
         return common;
     }
 
-    /// Edges of one body that other programs wrote may lie some micrometres apart. The wider reach
-    /// counts where it leaves fewer edges free.
+    /// Sews with two tolerances and returns the better result. Edges of one body may lie some
+    /// micrometres apart in files of other programs. The wider tolerance counts if it leaves fewer
+    /// edges free.
     Handle(BRepBuilderAPI_Sewing)
         best_sewing(const std::vector<TopoDS_Shape>& faces, double size) const {
         constexpr double share = 1e-5, wide_share = 1e-4;
@@ -285,7 +288,7 @@ class Bodies {
         }
         if (faces.empty()) return group;
         const Handle(BRepBuilderAPI_Sewing) sewing = best_sewing(faces, size_of(group));
-        if (sewing->SewedShape().IsNull()) return group; // faces without a common edge, then
+        if (sewing->SewedShape().IsNull()) return group; // then faces have no common edge
         const std::optional<glm::vec3> common = common_color(group);
         for (const TopoDS_Shape& face : faces) {
             const std::optional<glm::vec3> own = colors_->color(face);
@@ -300,7 +303,7 @@ class Bodies {
 
     Assembly& assembly_;
     const ShapeNames& names_;
-    std::optional<double> tolerance_; ///< of sewing; nothing: nothing is sewn
+    std::optional<double> tolerance_; ///< tolerance of sewing; nothing: nothing is sewn
     std::unique_ptr<SewnColors> colors_;
     std::vector<ModelPart> old_parts_;
     std::vector<Instance> old_instances_;

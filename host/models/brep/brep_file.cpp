@@ -16,8 +16,8 @@ Assembly read_brep(std::string_view file) {
             "it is no BREP file: \"CASCADE Topology\" is missing at its begin");
     MemoryBuffer buffer{file};
     std::istream stream{&buffer};
-    // Open CASCADE never asks whether a number was there, and counts on for ever where there is
-    // none.
+    // Open CASCADE does not check whether a number was read, and would count on endlessly without
+    // one.
     stream.exceptions(std::ios::failbit | std::ios::badbit);
     TopoDS_Shape shape;
     try {

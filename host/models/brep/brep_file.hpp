@@ -6,8 +6,8 @@
 
 namespace lineatlas::brep {
 
-/// Reads Open CASCADE's own files of shapes, which have no names, colours and units. Throws
-/// std::runtime_error, or what Open CASCADE throws.
+/// Reads Open CASCADE's own files of shapes, which have no names, colours or units. Throws
+/// std::runtime_error and exceptions of Open CASCADE.
 Assembly read_brep(std::string_view file);
 
 } // namespace lineatlas::brep

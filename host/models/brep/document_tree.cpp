@@ -26,7 +26,8 @@ glm::vec3 color_of(const Quantity_Color& color) {
     return glm::clamp(glm::vec3{red, green, blue}, 0.0F, 1.0F);
 }
 
-// What is said of surfaces, then of everything, then of curves: writers differ.
+// Colours of surfaces come first, then those of everything, then those of curves, because writers
+// differ.
 constexpr std::array color_types{XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv};
 
 template <class What>
@@ -39,7 +40,7 @@ std::optional<glm::vec3> find_color(const Handle(XCAFDoc_ColorTool) & tool, cons
 
 class DocumentColors : public FaceColors {
   public:
-    /// The document holds the colours, and lives as long.
+    /// Keeps the document, which holds the colours.
     DocumentColors(Handle(TDocStd_Document) document, Handle(XCAFDoc_ColorTool) tool)
         : document_(std::move(document)), tool_(std::move(tool)) {}
     std::optional<glm::vec3> color(const TopoDS_Shape& face) const override {
@@ -79,10 +80,10 @@ class Walk {
 
   private:
     struct Step {
-        TDF_Label label; ///< of an occurrence, or of a shape at the top
+        TDF_Label label; ///< that of an occurrence, or of a shape at the top
         TopLoc_Location location{};
         std::uint32_t parent = ModelPart::none;
-        std::optional<glm::vec3> color{}; ///< of what it is in
+        std::optional<glm::vec3> color{}; ///< colour of the part that contains it
         int level = 0;
     };
 

@@ -6,8 +6,8 @@
 
 namespace lineatlas::brep {
 
-/// Parts, instances and colours of a document that Open CASCADE made of a file. Throws
-/// std::runtime_error where the tree is too deep or has too many parts.
+/// Reads parts, instances and colours from a document that Open CASCADE made of a file. Throws
+/// std::runtime_error if the tree is too deep or has too many parts.
 void read_document(const Handle(TDocStd_Document) & document, Assembly& assembly);
 
 } // namespace lineatlas::brep

@@ -24,7 +24,7 @@ EdgeCurve curve_in(const gp_Ax2& frame, double major, double minor) {
             .v = along(frame.YDirection(), minor)};
 }
 
-/// Of a spline that is a part of a circle, as exchange by NURBS makes of one.
+/// The circle that a spline is a part of, if it is. Files exchanged as NURBS have such splines.
 std::optional<EdgeCurve> circle_of(const GeomAdaptor_Curve& curve, double first, double last) {
     const auto at = [&](double share) {
         const gp_Pnt point = curve.Value(first + share * (last - first));

@@ -16,7 +16,7 @@ namespace lineatlas::brep {
 
 namespace {
 
-/// A face beside an edge: where the edge runs on its surface.
+/// A face beside an edge, with the edge's curve on the face's surface.
 class Side {
   public:
     Side(const TopoDS_Edge& edge, const TopoDS_Face& face)
@@ -26,7 +26,7 @@ class Side {
 
     bool known() const { return !surface_.IsNull() && !curve_.IsNull(); }
 
-    /// The face's outward normal at a share of the edge's length; nothing where it has none there.
+    /// The face's outward normal at a share of the edge's length; nothing if it has none there.
     std::optional<gp_Vec> normal(double share) const {
         const auto normal = normal_of(*surface_, curve_->Value(first_ + share * (last_ - first_)));
         if (!normal) return std::nullopt;
@@ -34,7 +34,7 @@ class Side {
     }
 
   private:
-    // In this order: the curve's range comes with it.
+    // The order matters, because the curve's range is set with the curve.
     double first_ = 0, last_ = 0;
     Handle(Geom_Surface) surface_;
     Handle(Geom2d_Curve) curve_;

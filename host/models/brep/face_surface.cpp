@@ -78,7 +78,7 @@ std::optional<SurfaceCurve> curve_of(const Handle(Geom_Curve) & curve) {
     return std::nullopt;
 }
 
-/// Turned about the axis of a frame, from its x to its y, of either hand.
+/// A curve turned about the axis of a frame, from its x to its y. The frame may have either hand.
 SurfaceShape revolution(const gp_Ax3& frame, const SurfaceCurve& curve) {
     return {.kind = SurfaceShape::Kind::revolution,
             .point = vec(frame.Location().XYZ()),
@@ -86,14 +86,14 @@ SurfaceShape revolution(const gp_Ax3& frame, const SurfaceCurve& curve) {
             .curve = curve};
 }
 
-/// Of a cylinder or a cone, whose half angle that is.
+/// A cylinder or a cone with this half angle.
 SurfaceShape cone(const gp_Ax3& frame, double radius, double angle) {
     const glm::dvec3 x = vec(frame.XDirection().XYZ()), z = vec(frame.Direction().XYZ());
     return revolution(frame, {.point = vec(frame.Location().XYZ()) + radius * x,
                               .u = std::sin(angle) * x + std::cos(angle) * z});
 }
 
-/// Of a sphere or a torus.
+/// A sphere or a torus.
 SurfaceShape ring(const gp_Ax3& frame, double major, double minor) {
     const glm::dvec3 x = vec(frame.XDirection().XYZ()), z = vec(frame.Direction().XYZ());
     return revolution(frame, {.kind = SurfaceCurve::Kind::ellipse,

@@ -8,8 +8,8 @@
 
 namespace lineatlas::brep {
 
-/// The surface of a face, by Open CASCADE's parameters; nothing for a surface that is made of other
-/// curves than lines, ellipses and splines.
+/// The surface of a face with Open CASCADE's parameters. Nothing for a surface made of curves other
+/// than lines, ellipses and splines.
 std::optional<SurfaceShape> surface_of(const TopoDS_Face& face);
 
 } // namespace lineatlas::brep

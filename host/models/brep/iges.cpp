@@ -28,7 +28,8 @@ namespace lineatlas::brep {
 
 namespace {
 
-/// Lines have 80 columns; the letter of the section stands in the 73rd.
+/// Throws for other forms of IGES. Lines must have 80 columns with the letter of the section in the
+/// 73rd.
 void refuse_other_forms(std::string_view file) {
     constexpr std::size_t section = 72;
     const std::string_view line = file.substr(0, file.find_first_of("\r\n"));
@@ -66,7 +67,7 @@ void note_unit(const IGESData_GlobalSection& global, Assembly& assembly) {
                              " are drawn in millimetres");
 }
 
-/// Shapes, not annotations, that Open CASCADE could make nothing of.
+/// Adds a note about shapes (not annotations) that Open CASCADE could not read.
 void note_failed(IGESCAFControl_Reader& reader, Assembly& assembly) {
     constexpr int first_shape = 100, last_shape = 199;
     const auto& process = reader.WS()->TransferReader()->TransientProcess();
@@ -83,7 +84,7 @@ void note_failed(IGESCAFControl_Reader& reader, Assembly& assembly) {
                                  " of it could not be read");
 }
 
-/// A document has names of shapes at its top only.
+/// The names of shapes, which a document has only at its top.
 ShapeNames names_of(IGESCAFControl_Reader& reader, const Handle(IGESData_IGESModel) & model) {
     const auto& process = reader.WS()->TransferReader()->TransientProcess();
     ShapeNames names;
@@ -94,14 +95,14 @@ ShapeNames names_of(IGESCAFControl_Reader& reader, const Handle(IGESData_IGESMod
         const Handle(TCollection_HAsciiString) name = entity->NameValue();
         if (shape.IsNull() || name.IsNull()) continue;
         const std::string text = models::part_name(name->ToCString(), "");
-        // What Open CASCADE writes of instances that have none.
+        // Open CASCADE writes such names for instances without one.
         if (text.empty() || text.starts_with("=>[")) continue;
         names.Bind(shape.Located(TopLoc_Location()), text);
     }
     return names;
 }
 
-/// Shapes without a name stay without one: Open CASCADE calls them "COMPOUND" and the like.
+/// Keeps Open CASCADE from naming shapes without a name "COMPOUND" and the like.
 class NoNamesMadeUp {
   public:
     NoNamesMadeUp() : was_(XCAFDoc_ShapeTool::AutoNaming()) {
@@ -130,7 +131,7 @@ Assembly read_iges(std::string_view file) {
     reader.SetColorMode(true);
     reader.SetNameMode(true);
     reader.SetLayerMode(false);
-    reader.SetReadVisible(true); // what is blanked is not shown
+    reader.SetReadVisible(true); // leaves out blanked shapes
     {
         const FileWithoutName bytes{file};
         if (reader.ReadFile(FileWithoutName::name) != IFSelect_RetDone)

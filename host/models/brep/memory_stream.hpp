@@ -10,7 +10,7 @@ namespace lineatlas::brep {
 class MemoryBuffer : public std::streambuf {
   public:
     explicit MemoryBuffer(std::string_view bytes) {
-        char* const begin = const_cast<char*>(bytes.data()); // which a streambuf only reads
+        char* const begin = const_cast<char*>(bytes.data()); // a streambuf only reads it
         setg(begin, begin, begin + bytes.size());
     }
 

@@ -19,7 +19,7 @@ namespace {
 
 using namespace lineatlas;
 
-/// Open CASCADE's readers say on stdout what they think of a file.
+/// Keeps Open CASCADE's readers from printing remarks on stdout.
 class Silence {
   public:
     Silence() : printers_(Message::DefaultMessenger()->Printers()) {
@@ -47,7 +47,7 @@ void prepare() {
 }
 
 Soup read(const models::Request& request) {
-    // Open CASCADE's readers have tables of the whole process, and that of IGES takes its stdin.
+    // Open CASCADE's readers share tables in the process, and that of IGES uses stdin.
     static std::mutex one_at_a_time;
     const std::scoped_lock lock{one_at_a_time};
     const Silence silence;
@@ -57,7 +57,7 @@ Soup read(const models::Request& request) {
     } catch (const Standard_OutOfMemory&) {
         throw std::bad_alloc();
     } catch (const Standard_Failure& failure) {
-        // These are no exceptions of the standard library.
+        // Open CASCADE's exceptions do not derive from std::exception.
         const std::string message = failure.GetMessageString();
         throw std::runtime_error("Open CASCADE refuses it" +
                                  (message.empty() ? "" : ": " + message));

@@ -29,7 +29,7 @@ double diagonal(const Assembly& assembly) {
     return std::sqrt(all.SquareExtent());
 }
 
-/// A normal where the shape is placed.
+/// A normal of a shape in its place.
 glm::vec3 turned(const glm::dvec3& normal, const gp_Trsf& transform) {
     if (normal == glm::dvec3{0}) return glm::vec3{0};
     const gp_Vec moved = gp_Vec(normal.x, normal.y, normal.z).Transformed(transform).Normalized();
@@ -73,7 +73,7 @@ class Placement {
         soup_.format = std::move(assembly_.format);
         soup_.unit = assembly_.unit;
         soup_.deflection = fineness_.deflection;
-        // Where two curved faces touch, chords of the one lie off those of the other.
+        // If two curved faces touch, chords of one lie off those of the other by this.
         soup_.precision = fineness_.deflection;
         for (const Instance& instance : assembly_.instances) add(instance);
         for (const auto& [part, count] : failed_)
@@ -197,7 +197,8 @@ class Placement {
         meshes_;
     std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> groups_;
     std::map<std::string, std::size_t> failed_;
-    std::map<std::uint32_t, std::uint32_t> first_shapes_; ///< of meshes, by their numbers
+    /// First shapes of meshes, by their numbers.
+    std::map<std::uint32_t, std::uint32_t> first_shapes_;
     std::uint32_t objects_ = 0, edges_ = 0;
 };
 

@@ -46,7 +46,7 @@ glm::dvec3 point_of(const gp_Pnt& point, const TopLoc_Location& location) {
     return {moved.X(), moved.Y(), moved.Z()};
 }
 
-/// Whether a surface may bend in kinks, as only those do that are made of curves.
+/// Whether a surface may have kinks. Only surfaces made of curves can.
 bool may_have_kinks(const Handle(Geom_Surface) & surface) {
     switch (GeomAdaptor_Surface(surface).GetType()) {
     case GeomAbs_Plane:
@@ -60,7 +60,7 @@ bool may_have_kinks(const Handle(Geom_Surface) & surface) {
     }
 }
 
-/// Takes the triangulations of faces together along the edges that they share.
+/// Joins the triangulations of faces along the edges that they share.
 class Stitcher {
   public:
     explicit Stitcher(const TopoDS_Shape& shape) {
@@ -71,7 +71,7 @@ class Stitcher {
         points_of_edge_.resize(static_cast<std::size_t>(edges_.Extent()));
     }
 
-    /// Whether a face bends in kinks, so that no normals of it are known. After stitch().
+    /// Whether a face has kinks, so that its normals are not known. Call after stitch().
     bool has_kinks() const { return has_kinks_; }
 
     ShapeMesh stitch() {
@@ -86,7 +86,7 @@ class Stitcher {
         return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
     }
 
-    /// The position of a vertex: that of the first point that stands for it.
+    /// The position of a vertex, which is that of its first point.
     std::uint32_t at_vertex(const TopoDS_Vertex& vertex, glm::dvec3 position) {
         const int index = vertex.IsNull() ? 0 : vertices_.FindIndex(vertex);
         if (index == 0) return add_position(position);
@@ -95,8 +95,8 @@ class Stitcher {
         return known;
     }
 
-    /// One position per point of an edge, the same for all faces that have it. `point(i)` says
-    /// where it is, for the first of them.
+    /// One position per point of an edge, the same for all faces beside it. `point(i)` is the place
+    /// for the first face.
     template <class Point>
     std::vector<std::uint32_t> make_points(const TopoDS_Edge& edge, int count, const Point& point) {
         TopoDS_Vertex first, last;
@@ -135,7 +135,8 @@ class Stitcher {
             std::vector<std::uint32_t>& shared =
                 points_of_edge_[static_cast<std::size_t>(edges_.FindIndex(edge) - 1)];
             if (shared.empty()) shared = make_points(edge, count, point);
-            // Another number of points has no part in the other face's; a gap may be seen there.
+            // If the numbers of points differ, the face does not share the other face's points, and
+            // a gap may be seen.
             if (shared.size() != static_cast<std::size_t>(count)) continue;
             for (int i = 0; i < count; ++i)
                 positions[static_cast<std::size_t>(polygon->Node(i + 1))] =
@@ -163,9 +164,9 @@ class Stitcher {
         return normals;
     }
 
-    /// Whether a triangle lies as the surface does at its corners: within 20 degrees, where chords
-    /// of a circle are off by 7.5. One that is hardly wider than it may be off the surface says
-    /// nothing.
+    /// Whether a triangle lies along the surface at its corners, within 20 degrees. Chords of a
+    /// circle are off by 7.5 degrees. A triangle that is hardly wider than its allowed distance
+    /// from the surface counts as lying along it.
     bool lies_along(const std::array<std::uint32_t, 3>& corners,
                     const std::array<glm::dvec3, 3>& normals, double deflection) const {
         const double least_cosine = std::cos(20 * std::numbers::pi / 180);
@@ -186,7 +187,7 @@ class Stitcher {
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
         const bool has_normals = !surface.IsNull() && triangulation.HasUVNodes();
         const bool may_kink = has_normals && may_have_kinks(surface);
-        bool has_kinks = false; // then normals between corners say nothing of the surface there
+        bool has_kinks = false; // then normals at corners do not describe the surface between them
         const std::size_t first = mesh_.normals.size();
         const auto number = static_cast<std::uint32_t>(mesh_.faces.size());
         mesh_.faces.push_back(face);
@@ -260,8 +261,8 @@ class Stitcher {
     bool has_kinks_ = false;
 };
 
-/// With its faces parted where they bend in kinks, which are edges then; a part is of the face in
-/// ShapeMesh::faces that it was of.
+/// Meshes a shape with its faces parted at kinks, which become edges. A part keeps the number of
+/// its face in ShapeMesh::faces.
 ShapeMesh mesh_in_parts(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters) {
     ShapeUpgrade_ShapeDivideContinuity divide(shape);
     divide.SetBoundaryCriterion(GeomAbs_C1);
@@ -289,8 +290,8 @@ ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = fineness.deflection;
     parameters.Angle = fineness.angle;
-    // By default twice as much within faces, where a fillet then has two strips and its outline
-    // teeth.
+    // By default it would be twice as much within faces. Then a fillet would have two strips, and
+    // its outline teeth.
     parameters.AngleInterior = fineness.angle;
     triangulate(here, parameters);
     Stitcher stitcher{here};
@@ -299,7 +300,7 @@ ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness) {
     try {
         ShapeMesh in_parts = mesh_in_parts(here, parameters);
         if (in_parts.failed_faces <= mesh.failed_faces) return in_parts;
-    } catch (const Standard_Failure&) { // of faces that are damaged: as they are, then
+    } catch (const Standard_Failure&) { // damaged faces stay as they are
     }
     return mesh;
 }

@@ -16,21 +16,21 @@ namespace lineatlas::brep {
 /// How closely triangles follow curved faces.
 struct Fineness {
     double deflection = 0; ///< the distance a chord may be off, in the shape's units
-    double angle = 0;      ///< by which neighbouring chords may turn, in radians
+    double angle = 0;      ///< by which neighbouring chords may differ in direction, radians
 };
 
-/// A shape as triangles, with the edges between its faces on them: what two faces share is the same
-/// positions, to the bit.
+/// A shape as triangles, with the edges between its faces. Faces that share an edge share its
+/// positions.
 struct ShapeMesh {
     std::vector<glm::dvec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::uint32_t> triangle_face; ///< per triangle, number of its face
-    /// Per triangle and corner the face's outward unit normal there, or zero where it has none.
+    /// Per triangle and corner the face's outward unit normal there; zero if it has none.
     std::vector<std::array<glm::dvec3, 3>> normals;
-    /// The same for its surface's parameters; zero where it has none.
+    /// Per triangle and corner the parameters of the face's surface; zero if they are not known.
     std::vector<std::array<glm::dvec2, 3>> parameters;
     std::vector<TopoDS_Shape> faces;
-    /// Per face its surface, where it is known, and whether du x dv points inwards.
+    /// Per face its surface, if it is known, and whether du x dv points inwards.
     std::vector<std::optional<SurfaceShape>> surfaces;
     std::vector<bool> turned;
     std::vector<KnownEdge> edges; ///< KnownEdge::edge counts from 0
@@ -38,10 +38,10 @@ struct ShapeMesh {
     std::vector<TopoDS_Shape> edge_shapes;             ///< per number of an edge
     std::vector<std::optional<EdgeCurve>> edge_curves; ///< per number of an edge
     std::vector<std::vector<std::uint32_t>> lines;     ///< edges of no face
-    std::size_t failed_faces = 0;                      ///< that could not be meshed
+    std::size_t failed_faces = 0;                      ///< faces that could not be meshed
 };
 
-/// Of the shape without its own location. Throws what Open CASCADE throws.
+/// Meshes a shape without its own location. Throws exceptions of Open CASCADE.
 ShapeMesh mesh_shape(const TopoDS_Shape& shape, const Fineness& fineness);
 
 } // namespace lineatlas::brep

@@ -61,8 +61,8 @@ void note_unit(STEPCAFControl_Reader& reader, Assembly& assembly) {
     assembly.notes.push_back("its lengths in " + unit + " are drawn in millimetres");
 }
 
-/// "HEAD.stp", "TAIL.stp" and 3 more: where an assembly has its parts; empty where it has all of
-/// them itself.
+/// Names of other files that have an assembly's parts, such as "HEAD.stp", "TAIL.stp" and 3 more;
+/// empty if the file has all parts.
 std::string other_files(const STEPCAFControl_Reader& reader) {
     constexpr std::size_t most = 5;
     std::set<std::string> names;
@@ -85,7 +85,7 @@ bool has_shapes(const Assembly& assembly) {
     });
 }
 
-/// What the file calls a body, if it does.
+/// Finds the name of a body in the file, if it has one.
 void find_name(const Handle(Standard_Transient) & entity, const TopoDS_Shape& body,
                ShapeNames& names) {
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(entity);

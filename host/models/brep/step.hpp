@@ -6,11 +6,11 @@
 
 namespace lineatlas::brep {
 
-/// Makes Open CASCADE's tables for STEP, which take a while and look at the environment.
+/// Makes Open CASCADE's tables for STEP, which takes a while and reads the environment.
 void prepare_step();
 
-/// Reads a STEP file of any application protocol, in millimetres whatever its unit is. Throws
-/// std::runtime_error, or what Open CASCADE throws.
+/// Reads a STEP file of any application protocol, in millimetres, whatever its unit is. Throws
+/// std::runtime_error and exceptions of Open CASCADE.
 Assembly read_step(std::string_view file);
 
 } // namespace lineatlas::brep

@@ -12,8 +12,8 @@ namespace lineatlas::brep {
 /// none, as at the tip of a cone, or where parameters meet, as at the pole of a sphere.
 std::optional<gp_Vec> normal_of(const Geom_Surface& surface, const gp_Pnt2d& at);
 
-/// The same where parameters meet in one point, as at a pole or a tip, on the side of `towards`,
-/// which is a place beside it.
+/// The normal at a point where parameters meet, as at a pole or a tip, on the side of `towards`, a
+/// place beside the point.
 std::optional<gp_Vec> normal_beside(const Geom_Surface& surface, const gp_Pnt2d& at,
                                     const gp_Pnt2d& towards);
 

@@ -24,13 +24,13 @@ namespace lineatlas::brep {
 
 namespace {
 
-using Sides = std::vector<std::uint64_t>; ///< sorted; of nodes, as pair_key() has them
+using Sides = std::vector<std::uint64_t>; ///< sorted; pairs of nodes by pair_key()
 
 std::uint64_t side(int a, int b) {
     return pair_key(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
 }
 
-/// The sides of all triangles: what two of them share comes twice.
+/// The sides of all triangles. A side that two triangles share comes twice.
 Sides sides_of(const Poly_Triangulation& triangulation) {
     Sides sides;
     sides.reserve(3 * static_cast<std::size_t>(triangulation.NbTriangles()));
@@ -79,8 +79,8 @@ bool is_filled(const TopoDS_Face& face) {
 
 } // namespace
 
-// Watson's algorithm takes n² for n holes in a face. Delabella's does not, and each of the two
-// fails at a few faces that the other fills: those with spikes, for one, of which triangles are
+// Watson's algorithm takes time n² for n holes in a face. Delabella's does not. Each of the two
+// fails at a few faces that the other fills, such as faces with spikes, for which triangles are
 // missing or lie outside.
 void triangulate(const TopoDS_Shape& shape, IMeshTools_Parameters parameters) {
     parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
@@ -94,7 +94,7 @@ void triangulate(const TopoDS_Shape& shape, IMeshTools_Parameters parameters) {
         BRepTools::Clean(faces(i));
     }
     if (are_filled) return;
-    // It leaves faces alone that have their triangles.
+    // This leaves faces alone that have their triangles.
     parameters.MeshAlgo = IMeshTools_MeshAlgoType_Watson;
     BRepMesh_IncrementalMesh{shape, parameters};
 }

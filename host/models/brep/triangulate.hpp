@@ -7,7 +7,7 @@ namespace lineatlas::brep {
 
 /// Triangulates the faces of a shape by the first of two algorithms whose triangles end where a
 /// face's edges run (IMeshTools_Parameters::MeshAlgo is ignored). Faces that share an edge share
-/// its points. Throws what Open CASCADE throws.
+/// its points. Throws exceptions of Open CASCADE.
 void triangulate(const TopoDS_Shape& shape, IMeshTools_Parameters parameters);
 
 } // namespace lineatlas::brep

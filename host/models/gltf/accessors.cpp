@@ -21,7 +21,7 @@ enum class Component : std::uint64_t {
     float32 = 5126,
 };
 
-/// Bytes; 0 for a number that means none.
+/// The bytes of a component; 0 for an unknown one.
 std::uint64_t size_of(Component component) {
     switch (component) {
     case Component::int8:
@@ -64,7 +64,7 @@ double value_at(const char* at, Component component, bool normalized) {
     return 0;
 }
 
-/// Elements of `width` components each, somewhere in a view.
+/// Elements of `width` components each, within a view.
 class Elements {
   public:
     Elements(Buffers& buffers, std::uint64_t view, std::uint64_t offset, std::uint64_t count,
@@ -128,7 +128,8 @@ double step_of(const Accessor& accessor) {
                : 1;
 }
 
-/// Without a view all values are zero: a count alone must not take memory without end.
+/// Limits accessors without a view, whose values are all zero. A count alone must not take
+/// unlimited memory.
 void check_zeros(const Accessor& accessor) {
     constexpr std::uint64_t most = 1U << 24U;
     if (accessor.count > most)

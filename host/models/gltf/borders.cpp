@@ -27,12 +27,12 @@ bool is_finite(const glm::dvec3& place) {
     return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
 }
 
-/// Half a step in each of three directions: how far rounding moves a position at most.
+/// The most that rounding moves a position: half a step in each of three directions.
 double reach_of(const Primitive& primitive) {
     return 0.5 * std::numbers::sqrt3 * primitive.step;
 }
 
-/// The places of corners at edges that one triangle has, each once.
+/// The places of corners at edges with a single triangle, each once.
 std::vector<glm::dvec3> border_of(const Primitive& primitive) {
     std::unordered_map<glm::dvec3, std::uint32_t, Hash> ids;
     std::vector<glm::dvec3> places;
@@ -62,7 +62,7 @@ std::vector<glm::dvec3> border_of(const Primitive& primitive) {
     return border;
 }
 
-/// Corners that others may be taken to, by cells as large as any of them may be off.
+/// Corners that others may be moved to, in cells as large as the largest possible move.
 class Corners {
   public:
     explicit Corners(double cell) : cell_{cell} {}
@@ -74,10 +74,10 @@ class Corners {
     struct Corner {
         glm::dvec3 place;
         double reach;
-        bool taken = false; ///< by a corner of the primitive that is looked at
+        bool taken = false; ///< by a corner of the current primitive
     };
 
-    /// The nearest one that may be the same corner and is not taken, or null.
+    /// The nearest corner that may be the same and is not taken, or null.
     Corner* nearest(const glm::dvec3& place, double reach) {
         Corner* best = nullptr;
         double distance = 0;
@@ -104,7 +104,7 @@ class Corners {
   private:
     using Cell = glm::vec<3, std::int64_t>;
     Cell cell_of(const glm::dvec3& place) const {
-        constexpr double far = 1e18; // whole numbers end a little beyond
+        constexpr double far = 1e18; // the range of whole numbers ends a little beyond
         return Cell{glm::floor(glm::clamp(place / cell_, -far, far))};
     }
 

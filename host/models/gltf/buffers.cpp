@@ -32,7 +32,7 @@ std::string decode_base64(std::string_view text, const std::string& of) {
     return bytes;
 }
 
-/// What follows the head of a data URI.
+/// The bytes behind the head of a data URI.
 std::string decode_data_uri(std::string_view uri, const std::string& of) {
     constexpr std::string_view coding = ";base64";
     const std::size_t comma = uri.find(',');
@@ -41,7 +41,7 @@ std::string decode_data_uri(std::string_view uri, const std::string& of) {
     return decode_base64(uri.substr(comma + 1), of);
 }
 
-/// Undoes the filter that made the values easier to pack.
+/// Undoes the filter by which values were packed better.
 void unfilter(std::string& values, const std::string& filter, std::uint64_t count,
               std::uint64_t stride, const std::string& of) {
     const auto decode = [&](void (*function)(void*, std::size_t, std::size_t), bool fits) {
@@ -111,8 +111,8 @@ std::string_view Buffers::part(std::uint64_t index, std::uint64_t offset, std::u
 }
 
 std::string Buffers::decode_meshopt(const Json& extension, const std::string& of) {
-    // So that no file makes us reserve what it does not hold: at best 16 bytes become a quarter of
-    // one, and the three indices of a triangle one.
+    // A limit, so that no file makes the reader allocate more than it can hold. At best 16 bytes
+    // are packed into a quarter of a byte, and the three indices of a triangle into one byte.
     constexpr std::uint64_t most_per_byte = 64;
     constexpr std::uint64_t largest_stride = 256;
     const std::string_view packed =

@@ -10,8 +10,8 @@
 
 namespace lineatlas::gltf {
 
-/// The bytes that accessors look at: of the file itself, of files beside it, of data URIs, and of
-/// views compressed by EXT_meshopt_compression, each decoded once.
+/// The bytes that accessors read: those of the file itself, of files beside it, of data URIs, and
+/// of views compressed by EXT_meshopt_compression. Each view is decoded once.
 class Buffers {
   public:
     Buffers(const Document& document, const models::Request& request)
@@ -21,7 +21,7 @@ class Buffers {
         std::string_view bytes;
         std::uint64_t stride = 0; ///< 0: elements follow each other
     };
-    /// Refuses a view that is not within its buffer.
+    /// The bytes of a view. Refuses a view that is not within its buffer.
     View view(std::uint64_t index);
 
   private:

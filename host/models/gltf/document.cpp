@@ -47,8 +47,8 @@ Chunks chunks_of(std::string_view file) {
 }
 
 Json parse(std::string_view text) {
-    // glTF needs about ten levels. Lists of lists without end would fill the stack of whoever
-    // walks them, and are refused before anything is built.
+    // glTF needs about ten levels. Endlessly nested lists would overflow the stack, and are refused
+    // before anything is built.
     constexpr int most_levels = 64;
     int deepest = 0, level = 0;
     bool in_string = false;
@@ -75,13 +75,13 @@ Json parse(std::string_view text) {
     }
 }
 
-/// The extensions that say where geometry is, and are heeded.
+/// The extensions that place geometry and are supported.
 constexpr std::array heeded{"EXT_mesh_gpu_instancing", "EXT_meshopt_compression",
                             "KHR_draco_mesh_compression", "KHR_mesh_quantization",
                             "KHR_node_visibility"};
 
-/// How the names of extensions begin that move nothing: they say what materials look like, what
-/// pictures are packed in, what shines on them, and what is known of parts.
+/// Prefixes of extensions that do not move geometry. They are about materials, formats of pictures,
+/// lights, and data of parts.
 constexpr std::array moving_nothing{"ADOBE_materials_",
                                     "EXT_instance_features",
                                     "EXT_lights_",

@@ -16,9 +16,8 @@ struct Document {
     std::string_view binary; ///< lies in the file's own bytes
 };
 
-/// Takes a .gltf or .glb file apart; which of them it is, its first bytes say. Refuses what is no
-/// glTF 2.0, and by name every extension that is required and may place geometry in a way not known
-/// here.
+/// Takes a .gltf or .glb file apart. Its first bytes say which it is. Refuses files that are no
+/// glTF 2.0, and by name every required extension that may place geometry in an unknown way.
 Document open_document(std::string_view file);
 
 /// Throws std::runtime_error.
@@ -27,14 +26,14 @@ Document open_document(std::string_view file);
 /// "mesh 3"
 std::string numbered(std::string_view what, std::uint64_t number);
 
-// Members of an object. What is there but of another type is refused; `of` says whose it is.
+// Members of an object. A member of another type is refused. `of`: text that names the object.
 
-/// Null where it is missing.
+/// A member; null if it is missing.
 const Json* find(const Json& object, const char* key);
 const Json* find_object(const Json& object, const char* key, const std::string& of);
 /// The element `index` of the file's list `list`. Refuses an index beyond it.
 const Json& element(const Document& document, const char* list, std::uint64_t index);
-/// Of a list that may be missing.
+/// The length of a list; 0 if it is missing.
 std::uint64_t count(const Document& document, const char* list);
 std::uint64_t whole(const Json& object, const char* key, const std::string& of);
 std::uint64_t whole(const Json& object, const char* key, const std::string& of,
@@ -42,7 +41,7 @@ std::uint64_t whole(const Json& object, const char* key, const std::string& of,
 /// An element of a list of indices.
 std::uint64_t whole(const Json& value, const std::string& of);
 std::string text(const Json& object, const char* key, std::string_view otherwise);
-/// Fills `numbers` and returns true, or leaves it where the member is missing.
+/// Fills `numbers` and returns true. Returns false, and changes nothing, if the member is missing.
 template <class Numbers>
 bool read_numbers(const Json& object, const char* key, const std::string& of, Numbers& numbers);
 

@@ -13,7 +13,7 @@ DracoMesh decode_draco(std::string_view packed, std::uint64_t position, const st
     draco::DecoderBuffer buffer;
     buffer.Init(packed.data(), packed.size());
     draco::Decoder decoder;
-    // Whole numbers stay what they are, so that it is known what grid they lie on.
+    // Positions stay whole numbers, so that their grid is known.
     decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok() || decoded.value() == nullptr)

@@ -13,7 +13,7 @@ namespace lineatlas::gltf {
 struct DracoMesh {
     std::vector<glm::dvec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    double step = 0; ///< of the grid that positions lie on; 0: on none
+    double step = 0; ///< of the grid that positions lie on; 0: no grid
 };
 
 /// A mesh from KHR_draco_mesh_compression. `position`: the number of the attribute with the

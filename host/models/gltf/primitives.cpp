@@ -16,7 +16,7 @@ constexpr const char* draco = "KHR_draco_mesh_compression";
 
 enum class Mode : std::uint64_t { points, lines, loop, line_strip, triangles, strip, fan };
 
-/// Corners of triangles and points of lines, in the order that the primitive's mode gives them.
+/// Adds corners of triangles and points of lines, in the order of the primitive's mode.
 void connect(Primitive& primitive, const std::vector<std::uint32_t>& indices, Mode mode,
              const std::string& of) {
     const std::size_t count = indices.size();
@@ -43,7 +43,7 @@ void connect(Primitive& primitive, const std::vector<std::uint32_t>& indices, Mo
         for (std::size_t i = 0; i + 2 < count; i += 3) triangle(i, i + 1, i + 2);
         return;
     case Mode::strip:
-        // Every other one is turned, so that all face the same way.
+        // Every other triangle is turned, so that all face the same way.
         for (std::size_t i = 0; i + 2 < count; ++i) triangle(i, i + 1 + i % 2, i + 2 - i % 2);
         return;
     case Mode::fan:

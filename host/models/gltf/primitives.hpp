@@ -19,14 +19,14 @@ struct Primitive {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::vector<std::uint32_t>> lines;
     std::optional<std::uint64_t> material;
-    /// Which joints move each position, and by how much: in fours. Empty where none do.
+    /// The joints that move each position, and their weights, in fours. Empty without joints.
     std::vector<Values> joints{}, weights{};
-    double step = 0;     ///< of the grid that positions lie on; 0: on none
-    bool points = false; ///< it is points only, which are not drawn
+    double step = 0;     ///< of the grid that positions lie on; 0: no grid
+    bool points = false; ///< it has only points, which are not drawn
 };
 
-/// The primitives of a mesh in the pose that its own weights of morph targets give it, or
-/// `node_weights` where the node has some. Refuses indices beyond the positions.
+/// The primitives of a mesh in the pose of its own weights of morph targets, or of `node_weights`
+/// if the node has some. Refuses indices beyond the positions.
 std::vector<Primitive> read_mesh(const Document& document, Buffers& buffers, std::uint64_t mesh,
                                  const Json* node_weights);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t no_part = ModelPart::none;
 
-/// From linear light to sRGB as on the screen.
+/// Linear light as sRGB.
 float coded(double linear) {
     linear = std::isfinite(linear) ? std::clamp(linear, 0.0, 1.0) : 0.0;
     const double value =
@@ -29,7 +29,7 @@ float coded(double linear) {
     return static_cast<float>(value);
 }
 
-/// A place as nodes and instances have it.
+/// The placement of a node or an instance.
 struct Placement {
     std::array<double, 3> translation{}, scale{1, 1, 1};
     std::array<double, 4> rotation{0, 0, 0, 1};
@@ -61,10 +61,10 @@ glm::dmat4 local_matrix(const Json& node, const std::string& of) {
 
 struct Node {
     bool visited = false;
-    bool hidden = false;  ///< by KHR_node_visibility, of its own or of what it is in
+    bool hidden = false;  ///< by KHR_node_visibility of the node or of a node above it
     glm::dmat4 matrix{1}; ///< to the world
     std::uint32_t part = no_part;
-    std::string path; ///< its own name after those above it
+    std::string path; ///< its name behind the names of nodes above it
 };
 
 class Scene {
@@ -73,7 +73,7 @@ class Scene {
         : document_(document), buffers_(buffers), nodes_(count(document, "nodes")) {}
 
     Soup read() {
-        // Joints may lie anywhere in the tree, so all of it stands before a mesh is placed.
+        // Joints may lie anywhere in the tree, so the whole tree is made before a mesh is placed.
         for (const std::uint64_t root : roots()) add_tree(root);
         for (const std::uint64_t node : order_) place_mesh(node);
         if (points_ > 0)
@@ -105,7 +105,7 @@ class Scene {
             const std::uint64_t scene = whole(document_.json, "scene", "the file", 0);
             return list_of(element(document_, "scenes", scene), "nodes", numbered("scene", scene));
         }
-        // A file without scenes is a library of parts: all of them are shown.
+        // A file without scenes is a library of parts, and all parts are shown.
         std::vector<bool> child(nodes_.size());
         for (std::uint64_t i = 0; i < nodes_.size(); ++i)
             for (const std::uint64_t index :
@@ -203,7 +203,7 @@ class Scene {
         refuse("with all its instances it has more than 262144 parts");
     }
 
-    /// Where EXT_mesh_gpu_instancing puts what a node holds, to the node.
+    /// The matrices of EXT_mesh_gpu_instancing for a node's mesh, relative to the node.
     std::vector<glm::dmat4> instance_matrices(const Json& extension, const std::string& node) {
         const std::string of = "the instances of " + node;
         const Json* attributes = find_object(extension, "attributes", of);
@@ -245,7 +245,7 @@ class Scene {
         }
     }
 
-    /// Nothing where the node has no skin.
+    /// The matrices of joints; nothing if the node has no skin.
     std::optional<std::vector<glm::dmat4>> joint_matrices(const Json& node, const std::string& of) {
         if (find(node, "skin") == nullptr) return std::nullopt;
         const std::uint64_t index = whole(node, "skin", of);
@@ -270,8 +270,8 @@ class Scene {
         return matrices;
     }
 
-    /// Where a skin puts a position: the mean of where its joints do. The node itself moves
-    /// nothing.
+    /// The position that a skin gives a point: the mean of the positions by its joints. The node
+    /// itself moves nothing.
     static glm::dvec3 skinned(const Primitive& primitive, std::size_t i,
                               const std::vector<glm::dmat4>& joints, const std::string& of) {
         glm::dvec3 sum{0};
@@ -306,7 +306,7 @@ class Scene {
         }
         // A mirror turns triangles inside out.
         const bool mirrored = !moved_by_joints && glm::determinant(glm::dmat3{node.matrix}) < 0;
-        // Half a step in each of three directions, where the node puts them.
+        // Half a step in each of three directions, scaled by the node.
         const glm::dmat3 turn{node.matrix};
         const double scale =
             std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
@@ -343,7 +343,7 @@ class Scene {
         return entry->second;
     }
 
-    /// Nothing where a picture says it.
+    /// The colour of a material; nothing if a picture has it.
     static std::optional<glm::vec3> color_of(const Json& material, const std::string& of) {
         const Json* older = extension_of(material, "KHR_materials_pbrSpecularGlossiness", of);
         const Json* surface =
@@ -359,9 +359,9 @@ class Scene {
     const Document& document_;
     Buffers& buffers_;
     std::vector<Node> nodes_;
-    std::vector<std::uint64_t> order_; ///< of the nodes in the scene
+    std::vector<std::uint64_t> order_; ///< order of the nodes in the scene
     std::map<std::uint64_t, std::vector<Primitive>> meshes_;
-    std::vector<Primitive> posed_; ///< by a node's own weights
+    std::vector<Primitive> posed_; ///< primitives posed by a node's own weights
     std::map<std::pair<std::uint32_t, std::uint64_t>, std::uint32_t> groups_;
     std::uint32_t objects_ = 0;
     std::size_t points_ = 0;

@@ -6,7 +6,7 @@
 
 namespace lineatlas::gltf {
 
-/// The file's scene with every node's mesh where the node puts it, a part and an object of its own.
+/// The file's scene with every node's mesh in its place, as a part and an object of its own.
 Soup read_scene(const Document& document, Buffers& buffers);
 
 } // namespace lineatlas::gltf

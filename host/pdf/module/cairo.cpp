@@ -57,7 +57,7 @@ void draw(cairo_t* context, const Way& way) {
             cairo_line_to(context, step.to.x, step.to.y);
             continue;
         }
-        // In the frame in which it is a part of the unit circle; the pen stays as it is.
+        // Drawn in the frame in which the arc is a part of the unit circle. The pen stays as it is.
         const glm::dvec2 minor = step.ratio * glm::dvec2{-step.major.y, step.major.x};
         const cairo_matrix_t frame{.xx = step.major.x,
                                    .yx = step.major.y,
@@ -90,8 +90,8 @@ void draw(cairo_t* context, const Strokes& strokes) {
     }
 }
 
-/// Height of its capital letters, by its size: cairo's own font, which every machine has, knows
-/// ASCII alone; all else is in a font of the machine's.
+/// A font, and the height of its capital letters as a share of its size. cairo's own font, which
+/// every machine has, has only ASCII. Other text is in a font of the machine.
 struct Font {
     const char* family;
     double capital_height;
@@ -116,7 +116,7 @@ void draw(cairo_t* context, const Text& text) {
     cairo_restore(context);
 }
 
-/// Letters stand where they stand at any resolution.
+/// Letters have the same places at any resolution.
 void set_font_options(cairo_t* context) {
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -150,7 +150,7 @@ std::string write(const Page& page) {
     describe(CAIRO_PDF_METADATA_TITLE, page.title.c_str());
     describe(CAIRO_PDF_METADATA_SUBJECT, page.subject.c_str());
     describe(CAIRO_PDF_METADATA_CREATOR, "lineatlas " LINEATLAS_VERSION);
-    // One drawing is one file, whenever it is written.
+    // Without a date the same drawing gives the same file at any time.
     describe(CAIRO_PDF_METADATA_CREATE_DATE, "");
     const Context context{cairo_create(surface.get())};
     draw(context.get(), page);
@@ -161,7 +161,7 @@ std::string write(const Page& page) {
     return text;
 }
 
-/// A colour's channel that was multiplied by alpha, divided by it.
+/// A channel that was multiplied by alpha, divided by it.
 unsigned char straight(std::uint32_t value, std::uint32_t alpha) {
     if (alpha == 0) return 0;
     return static_cast<unsigned char>(std::min(255U, (255 * value + alpha / 2) / alpha));

@@ -21,7 +21,7 @@ constexpr int frames_after_event = 3;
 Application::Gui::Gui(GLFWwindow* window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // nothing is to be remembered
+    ImGui::GetIO().IniFilename = nullptr; // ImGui must remember nothing
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_InitForOpenGL(window, false);
     ImGui_ImplOpenGL3_Init("#version 450 core");
@@ -48,7 +48,7 @@ void Application::show_soon() {
     frames_due_ = frames_after_event;
 }
 
-/// Looks without doing anything about it: a picture is being drawn.
+/// Whether an event has come. Does nothing about it, because a picture is being drawn.
 bool Application::something_happens() {
     Window::wait(0);
     return !queue_.empty() || window_.should_close();
@@ -65,20 +65,20 @@ bool Application::menu_is_open() {
     return ImGui::IsPopupOpen(static_cast<const char*>(nullptr), any);
 }
 
-/// Whether letters are text and no shortcuts.
+/// Whether letters are text and not shortcuts.
 bool Application::letters_are_text() const {
     return takes_letters(ui_.panel) || menu_is_open() || field_has_keyboard();
 }
 
-/// Until the field of a panel has the keyboard, so that it gets what is typed.
+/// Shows frames until the field of a panel has the keyboard, so that the field gets typed letters.
 void Application::give_keyboard() {
-    constexpr int most = 4; // frames that ImGui takes for it
+    constexpr int most = 4; // frames that ImGui needs for that
     for (int i = 0; i < most && has_search(ui_.panel) && !field_has_keyboard(); ++i) make_frame();
 }
 
-/// Shows the interface each event before the next one comes, without pictures: else of a key that
-/// goes down and up within a frame nothing is seen, and letters come before their field is there.
-/// Work that was asked for is done before what was typed after it.
+/// Passes events to the interface one by one, with a frame without pictures for each. Otherwise a
+/// key that goes down and up within a frame would be missed, and letters would come before their
+/// field. Work that an event asks for is done before the next event.
 void Application::take_input() {
     while (!queue_.empty() && !ui_.later) {
         give_keyboard();
@@ -91,8 +91,8 @@ void Application::run() {
     while (!window_.should_close()) step(-1);
 }
 
-/// Until the picture is to become exact; nothing if it is not to. Who scrolls or types goes on
-/// soon, and should not wait for it.
+/// Seconds until the picture should become exact; nothing if it should not. A person who scrolls or
+/// types goes on soon and should not have to wait for it.
 std::optional<double> Application::seconds_to_refine() const {
     const bool idle = frames_due_ == 0 && !mouse_.dragging() && !mouse_.flying() && !ui_.later &&
                       !ImGui::IsAnyMouseDown();
@@ -102,12 +102,12 @@ std::optional<double> Application::seconds_to_refine() const {
     return options_.scripted ? 0 : std::max(rest - past.count(), 0.0);
 }
 
-/// Whether the page of an export is to be drawn anew.
+/// Whether the preview of an export must be drawn anew.
 bool Application::shows_preview() const {
     return ui_.panel == Panel::exporting && session_.preview_due();
 }
 
-/// 0: at once; below 0: until something happens.
+/// Seconds to wait for events. 0: do not wait. Below 0: wait without end.
 double Application::seconds_to_wait() const {
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
                          session_.recording() || mouse_.flying() || ui_.later || shows_preview();
@@ -143,13 +143,13 @@ void Application::step(double longest_wait) {
     }
     if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0) {
         session_.refine();
-        if (session_.refines_slowly()) { // the picture that there is says so
+        if (session_.refines_slowly()) { // the current picture says so
             make_frame();
             paint();
             window_.show_frame();
         }
     }
-    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // which says so
+    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // that frame says so
     if (frames_due_ == 0 && shows_preview()) {
         session_.draw_preview();
         show_soon();
@@ -168,7 +168,7 @@ void Application::step(double longest_wait) {
 
 void Application::advance() {
     const auto now = std::chrono::steady_clock::now();
-    constexpr double longest = 0.1; // a slow frame is no jump
+    constexpr double longest = 0.1; // a slow frame must not make a jump
     const double seconds =
         std::min(std::chrono::duration<double>(now - std::exchange(last_, now)).count(), longest);
     const std::size_t messages = session_.messages.all().size();
@@ -182,7 +182,7 @@ void Application::advance() {
     if (session_.take_timings() && ui_.timings) frames_due_ = std::max(frames_due_, 1);
 }
 
-/// Letters and panels as large as the display wants them.
+/// Makes letters and panels as large as the display wants them.
 void Application::fit_scale() {
     const float scale = options_.scale > 0 ? options_.scale : window_.content_scale();
     const float ratio = window_.pixels_per_point();
@@ -214,7 +214,7 @@ void Application::make_frame() {
     io.AddMousePosEvent(mouse.x, mouse.y);
 #else
     io.MousePos = mouse;
-    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown); // not as they are by now
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown); // as they were at the event
 #endif
     ImGui::NewFrame();
     ui_.spots.begin_frame();
@@ -235,7 +235,7 @@ void Application::make_frame() {
     draw_export_panel(ui_);
     draw_palette(ui_, canvas);
     if (ui_.quit) window_.close();
-    if (ui_.letters.size() != letters_) show_soon(); // with them
+    if (ui_.letters.size() != letters_) show_soon(); // with the new letters
     session_.profile = ui_.timings;
     if (mouse_.over_slider(mouse_place_) && !io.WantCaptureMouse) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -255,7 +255,8 @@ void Application::show_frame() {
         };
         const auto said = status();
         session_.draw();
-        if (status() != said) frames_due_ = std::max(frames_due_, 1); // the window says it yet
+        // The window must still say it.
+        if (status() != said) frames_due_ = std::max(frames_due_, 1);
         if (session_.timings_due()) session_.take_timings();
     }
     paint();
@@ -273,7 +274,7 @@ void Application::paint() const {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// The pictures, whole or either side of the slider, in the window's upper left corner.
+/// Copies the pictures, whole or on either side of the slider, to the window's upper left corner.
 void Application::blit_pictures() const {
     const glm::ivec2 window = window_.pixels(), drawn = session_.size_of_pictures();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -306,7 +307,7 @@ Image Application::screenshot() const {
     const auto row = static_cast<std::size_t>(image.size.x) * 3;
     image.pixels.resize(row * static_cast<std::size_t>(image.size.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    // What was shown last is gone with the swap; it is drawn again and not shown.
+    // The frame that was shown last is gone with the swap, so it is drawn again and not shown.
     paint();
     glReadPixels(0, 0, image.size.x, image.size.y, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
     for (std::size_t low = 0, high = image.pixels.size(); low + row < high; low += row) {

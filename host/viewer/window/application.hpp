@@ -14,10 +14,10 @@ namespace lineatlas::viewer {
 struct ApplicationOptions {
     glm::ivec2 size{1280, 800}; ///< of the window, in points
     DeviceOptions device{};
-    float scale = 0;              ///< of letters; 0: as the system wants it
-    std::optional<Theme> theme{}; ///< none: as the desktop wants it
+    float scale = 0;              ///< of letters; 0: as the system wants
+    std::optional<Theme> theme{}; ///< none: as the desktop wants
     bool scripted =
-        false; ///< no picture waits for a hand to rest before it becomes exact; for tests
+        false; ///< pictures become exact at once and do not wait for a hand to rest; for tests
 };
 
 /// The viewer: a session in a window.
@@ -29,12 +29,13 @@ class Application final : private InputListener {
     Session& session() { return session_; }
     Ui& ui() { return ui_; }
     Window& window() { return window_; }
-    /// Where the window tells what happens. step() takes it from there.
+    /// The receiver of the window's events. step() takes them from there.
     InputListener& input() { return queue_; }
 
-    /// Until the window is closed.
+    /// Runs until the window is closed.
     void run();
-    /// Waits for something to happen, at most so long (below 0: without end), and shows it.
+    /// Waits for an event, at most `longest_wait` seconds (below 0: without end), and shows its
+    /// effect.
     void step(double longest_wait);
     /// Frames of the window that were shown.
     std::uint64_t frames_shown() const { return frames_shown_; }
@@ -82,7 +83,7 @@ class Application final : private InputListener {
     bool something_happens();
 
     ApplicationOptions options_;
-    InputQueue queue_; ///< outlives the window, which tells it
+    InputQueue queue_; ///< outlives the window, which sends events to it
     Window window_;
     Gui gui_;
     Session session_;
@@ -93,11 +94,11 @@ class Application final : private InputListener {
     std::array<bool, 5> buttons_{};
     bool shift_ = false;
     std::chrono::steady_clock::time_point drawn_ = std::chrono::steady_clock::now();
-    int frames_due_ = 0; ///< ImGui takes more than one to come to rest after an event
+    int frames_due_ = 0; ///< ImGui needs more than one frame to come to rest after an event
     std::uint64_t frames_shown_ = 0;
     float scale_ = 0, pixels_per_point_ = 0;
-    std::size_t letters_ = 0;    ///< that fonts were made for
-    Theme theme_ = Theme::light; ///< applied
+    std::size_t letters_ = 0;    ///< number of letters that fonts were made for
+    Theme theme_ = Theme::light; ///< the theme that was applied
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -96,7 +96,7 @@ void CanvasMouse::click(double now) {
     if (twice && !adds) session_.frame_selected();
 }
 
-/// A menu is about what is under the mouse, or about all that is selected if that is.
+/// A menu is about the part under the mouse, or about all selected parts if that part is selected.
 void CanvasMouse::ask_for_menu() {
     const std::optional<std::uint32_t> part = session_.part_at(on_canvas(pressed_));
     if (!part || !session_.selected.contains(*part)) session_.select(part);
@@ -149,7 +149,7 @@ bool CanvasMouse::key(int key, bool down) {
         fresh_keys_.insert(key);
         released_keys_.erase(key);
     } else if (fresh_keys_.contains(key)) {
-        released_keys_.insert(key); // once it has moved something
+        released_keys_.insert(key); // released once it has moved the camera
     } else {
         keys_.erase(key);
     }

@@ -56,7 +56,7 @@ void toggle_split(Ui& ui) {
     ui.session.changed();
 }
 
-/// The last cut by a share of the model.
+/// Moves the last cut by a share of the model.
 void move_cut(Ui& ui, double share) {
     std::vector<Cut> cuts = ui.session.settings.shown.cuts;
     if (cuts.empty()) return;
@@ -147,7 +147,7 @@ constexpr std::array all{
     Command{"Quit", GLFW_KEY_Q, ctrl, [](Ui& ui) { ui.quit = true; }},
 };
 
-/// Keys that people know from elsewhere.
+/// Further keys that people know from other programs.
 constexpr std::array others{
     Command{"", GLFW_KEY_Z, ctrl | shift, [](Ui& ui) { ui.session.redo(); }},
     Command{"", GLFW_KEY_SLASH, 0, show<Panel::keys>},

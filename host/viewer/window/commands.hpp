@@ -14,13 +14,13 @@ struct Command {
     void (*run)(Ui& ui) = nullptr;
 };
 
-/// The one table of them, in the order of the list of keys.
+/// The one table of commands, in the order of the list of keys.
 std::span<const Command> commands();
 
 /// "Ctrl + Shift + E"; empty without a key.
 std::string key_text(const Command& command);
 
-/// The command of a key, or null. `mods`: of GLFW; locks don't count.
+/// The command of a key, or null. `mods`: those of GLFW; locks do not count.
 const Command* command_of(int key, int mods);
 
 } // namespace lineatlas::viewer

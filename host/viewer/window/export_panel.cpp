@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 10> pages{"a0", "a1", "a2",     "a3",    "a4",
                                             "a5", "a6", "letter", "legal", "tabloid"};
-/// Of ISO 5455, and what fills the page.
+/// Scales of ISO 5455; the empty one fills the page.
 constexpr std::array<const char*, 17> scales{"",      "50:1",  "20:1",  "10:1",   "5:1",   "2:1",
                                              "1:1",   "1:2",   "1:5",   "1:10",   "1:20",  "1:50",
                                              "1:100", "1:200", "1:500", "1:1000", "1:2000"};
@@ -38,7 +38,7 @@ const char* extension_of(const ExportOptions& options) {
     return format_extensions.at(static_cast<std::size_t>(options.format));
 }
 
-/// The name of another type, and one that no file has.
+/// Gives the name the extension of the chosen type, and makes it one that no file has.
 void take_extension(Ui& ui) {
     const std::string stem = std::filesystem::path{ui.exporting.name}.stem().string();
     ui.exporting.name = stem + "." + extension_of(ui.exporting.options);
@@ -79,7 +79,7 @@ void format_row(Ui& ui) {
         const auto format = static_cast<FileFormat>(i);
         const std::string extension = format_extensions.at(i);
         if (i > 0) ImGui::SameLine(0, ui.points(4));
-        ImGui::BeginDisabled(options.sheet && format == FileFormat::json); // it has one view
+        ImGui::BeginDisabled(options.sheet && format == FileFormat::json); // JSON has one view
         if (toggle(ui, ("export." + extension).c_str(), in_capitals(extension).c_str(),
                    options.format == format)) {
             options.format = format;
@@ -138,7 +138,7 @@ void paper_rows(Ui& ui) {
         [&](const char* scale) { return scale == options.scale; },
         [&](const char* scale) { options.scale = scale; },
         "What a millimetre of the model is on paper");
-    if (options.sheet) return; // it has a frame
+    if (options.sheet) return; // a sheet has a frame
     slider(ui, "export.margin", "Margin", options.margin, 0.0F, 50.0F, "%.0f mm",
            "Space around the drawing");
 }
@@ -156,7 +156,7 @@ void pixels_row(Ui& ui) {
         [&](int factor) { options.pixels = factor; }, "Size of the picture");
 }
 
-/// Returns whether Enter was pressed there.
+/// A field for text. Returns whether Enter was pressed in it.
 bool field(Ui& ui, const char* id, const char* text, std::string& value, const char* help) {
     label(ui, text);
     const bool entered = ImGui::InputText((std::string{"##"} + id).c_str(), &value,
@@ -166,7 +166,7 @@ bool field(Ui& ui, const char* id, const char* text, std::string& value, const c
     return entered;
 }
 
-/// A name that is typed without the type gets it.
+/// The path of the file. A typed name without the extension gets it.
 std::filesystem::path path_of(const Ui& ui) {
     const std::string extension = std::string{"."} + extension_of(ui.exporting.options);
     const bool named = ui.exporting.name.ends_with(extension);
@@ -193,7 +193,7 @@ bool settings(Ui& ui) {
     return field(ui, "export.folder", "Folder", ui.folder, "Where files are saved") || named;
 }
 
-/// Where the page is drawn, and how large a millimetre of it is.
+/// The place of the drawn page, and the size of a millimetre on it.
 struct Frame {
     ImVec2 low;
     float scale;
@@ -239,7 +239,8 @@ void preview(Ui& ui) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float text_height = 2 * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 space{room.x, std::max(room.y - text_height, ui.points(40))};
-    // Pixel for pixel, of the page as it was drawn last: scaled, thin lines would be lost.
+    // The page is shown pixel for pixel, as it was drawn last. Thin lines would be lost if it were
+    // scaled.
     const ExportOptions& options = ui.exporting.options;
     const glm::dvec2 last = glm::max(ui.session.preview(options, 1).page.size, 1.0);
     const double fits =
@@ -282,7 +283,7 @@ void draw_export_panel(Ui& ui) {
         ui.panel = Panel::none;
         return;
     }
-    // Over the sidebar too: it takes most of a small window.
+    // The panel may cover the sidebar, which takes most of a small window.
     const glm::vec2 window{ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y};
     const glm::vec2 size = glm::min(window - ui.points(40), ui.points(1) * glm::vec2{820, 540});
     begin_floating(ui, "export", 0.5F * (window - size), size);

@@ -12,13 +12,13 @@ namespace {
 
 struct Arm {
     glm::vec3 axis;
-    std::string name; ///< "X", or "-X" of the other end
+    std::string name; ///< "X", or "-X" for the other end
     ImU32 color;
     glm::vec2 at{0}; ///< in points from the middle, y down
     float toward_eye = 0;
 };
 
-/// The farthest first.
+/// The arms, the farthest first.
 std::array<Arm, 6> arms_of(const View& view, float length) {
     constexpr std::array<ImU32, 3> colors{IM_COL32(176, 48, 40, 255), IM_COL32(40, 112, 48, 255),
                                           IM_COL32(44, 98, 158, 255)};

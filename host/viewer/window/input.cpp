@@ -1,4 +1,4 @@
-// What an Application does when something happens.
+// How an Application responds to events.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// Whether a key means the same while text is typed.
+/// Whether a key keeps its meaning while text is typed.
 bool is_for_all(int key, int mods) {
     constexpr std::array of_text{GLFW_KEY_A, GLFW_KEY_C, GLFW_KEY_V,    GLFW_KEY_X,
                                  GLFW_KEY_Y, GLFW_KEY_Z, GLFW_KEY_LEFT, GLFW_KEY_RIGHT};
@@ -42,7 +42,7 @@ void Application::press_key(int key, int mods) {
     if ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) == 0) mouse_.key(key, true);
 }
 
-/// The uppermost thing goes.
+/// Closes the uppermost thing.
 void Application::press_escape() {
     if (ui_.panel != Panel::none)
         ui_.panel = Panel::none;

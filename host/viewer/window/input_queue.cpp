@@ -46,7 +46,7 @@ void InputQueue::pass_next_to(InputListener& listener) {
     const Kind kind = events_.front().kind;
     do {
         const Event event = std::move(events_.front());
-        events_.pop_front(); // what hears it may add others
+        events_.pop_front(); // the listener may add others
         event.tell(listener);
     } while (!events_.empty() && kind != Kind::alone && events_.front().kind == kind);
 }

@@ -29,7 +29,7 @@ constexpr std::array<const char*, line_kind_names.size()> what{
     "Where scans and sculptures bulge most",
     "Where scans and sculptures are hollow most"};
 
-/// Width and colour of a kind.
+/// A row with width and colour of a kind.
 bool pen_row(Ui& ui, std::string_view kind) {
     Style& style = ui.session.settings.style;
     const Pen pen = pen_of_kind(style, kind);

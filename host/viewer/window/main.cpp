@@ -79,10 +79,10 @@ int run(int argc, char** argv) {
         throw UsageError("name either a MODEL file or a --scene");
     }
     {
-        ImageWriter writer; // before anything starts a thread
+        ImageWriter writer; // made before anything starts a thread
         view(arguments, writer);
     }
-    // A reader that was cancelled can't be stopped, but nothing here waits for it.
+    // A cancelled reader cannot be stopped. The program ends without waiting for it.
     if (viewer::Loader::any_thread()) {
         std::fflush(nullptr);
         std::_Exit(0);

@@ -1,4 +1,4 @@
-// The panel of files, and what of them one can find by typing.
+// The panel of files, which one searches by typing.
 #include <algorithm>
 
 #include "widgets.hpp"
@@ -15,7 +15,7 @@ struct Row {
     std::string name; ///< as it is read
 };
 
-/// What is typed: a folder, as far as there is one, and the beginning of a name in it.
+/// A typed text: the folder in it, as far as that exists, and the beginning of a name.
 struct Typed {
     fs::path folder;
     std::string name;
@@ -34,7 +34,7 @@ void list(OpenState& state, const fs::path& folder) {
     state.entries = list_folder(folder);
 }
 
-/// Recent files while no other folder is typed, then what is in the folder.
+/// Recent files, unless another folder is typed, then the entries of the folder.
 std::vector<Row> rows_of(const Ui& ui, const Typed& typed) {
     std::vector<Row> rows;
     if (typed.folder == ui.open.folder)
@@ -65,7 +65,7 @@ void take(Ui& ui, const fs::path& path) {
     ui.session.open(path);
 }
 
-/// Returns whether it was clicked.
+/// Draws a row. Returns whether it was clicked.
 bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
     const bool recent = row.kind == Row::Kind::recent;
     const std::string id = row.name + "##" + (recent ? "recent" : "") + row.path.string();
@@ -78,7 +78,7 @@ bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
     return clicked;
 }
 
-/// Recent files, then those of the folder that is listed, both under their names.
+/// Draws recent files, then those of the listed folder, each list with a heading.
 std::optional<fs::path> draw_rows(Ui& ui, const std::vector<Row>& rows, bool scrolls_here) {
     std::optional<fs::path> clicked;
     const auto is_recent = [&](std::size_t i) { return rows[i].kind == Row::Kind::recent; };
@@ -94,8 +94,8 @@ std::optional<fs::path> draw_rows(Ui& ui, const std::vector<Row>& rows, bool scr
     return clicked;
 }
 
-/// What Enter means: the path that is typed if there is one, else what is chosen. A path that leads
-/// nowhere is opened all the same, which says so.
+/// The path that Enter opens: the typed path if it exists, else the chosen row. A path that leads
+/// nowhere is opened too, which reports the error.
 std::optional<fs::path> entered(const OpenState& state, const std::vector<Row>& rows) {
     std::error_code failure;
     const std::string& text = state.search.searched;

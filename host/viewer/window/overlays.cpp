@@ -38,7 +38,8 @@ void toolbar(Ui& ui, Area canvas) {
     ImGui::End();
 }
 
-/// On the side's end of the slider; below the toolbar where there is no room beside it.
+/// Draws the name of a side at its end of the slider, or below the toolbar if there is no room
+/// beside it.
 void side_name(Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
     std::string text = label_of(side.method);
     if (side.method != Method::opengl) {
@@ -108,7 +109,7 @@ void box_around(const Session& session, Area canvas, const Bounds& bounds, ImDra
     }
 }
 
-/// Boxes around what is selected, and its name or how many there are.
+/// Draws boxes around selected parts, and the part's name or their number.
 void selection(Ui& ui, Area canvas) {
     const Session& session = ui.session;
     if (session.selected.empty()) return;
@@ -124,7 +125,7 @@ void selection(Ui& ui, Area canvas) {
           {0, 1});
 }
 
-/// How the picture is drawn, for those who look for it.
+/// Draws a line on how the picture is drawn.
 void status(Ui& ui, Area canvas) {
     const Session& session = ui.session;
     std::string text =
@@ -210,13 +211,13 @@ void draw_help(Ui& ui) {
     for (const Command& command : commands())
         if (command.key != 0) rows.push_back({key_text(command), command.name});
     const std::size_t half = (rows.size() + 1) / 2;
-    // Over the sidebar too: it takes most of a small window.
+    // The list may cover the sidebar, which takes most of a small window.
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     begin_overlay(ui, "keys", {0.5F * window.x, 0.5F * window.y}, {0.5F, 0.5F});
     ImGui::PushFont(ui.bold);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
-    // Two columns: one is higher than a small window.
+    // Two columns, because one would be higher than a small window.
     for (std::size_t i = 0; i < half; ++i) {
         for (const std::size_t at : {i, i + half}) {
             if (at == rows.size()) continue;

@@ -7,7 +7,7 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// All words of the search stand in the name, in any order.
+/// Whether all words of a search stand in a name, in any order.
 bool matches(const std::string& name, const std::string& searched) {
     for (std::size_t at = 0; at < searched.size();) {
         const std::size_t end = std::min(searched.find(' ', at), searched.size());
@@ -24,7 +24,7 @@ std::vector<const Command*> found_by(const std::string& searched) {
     return found;
 }
 
-/// Returns whether it was clicked.
+/// Draws a row. Returns whether it was clicked.
 bool row(Ui& ui, const Command& command, bool chosen, bool scrolls_here) {
     const bool clicked = ImGui::Selectable(command.name, chosen);
     ui.spots.note(std::string{"command:"} + command.name);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* menu_name = "parts.menu";
 
-/// What the list shows: parts of that name, or the tree as far as it is not folded.
+/// The parts in the list: those that match the search, or the tree as far as it is not folded.
 std::vector<std::uint32_t> rows(const Ui& ui, const Parts& parts) {
     std::vector<std::uint32_t> result;
     const std::vector<Parts::Part>& all = parts.all();
@@ -59,8 +59,8 @@ void eye(Ui& ui, const Parts& parts, std::uint32_t part, const std::string& name
     ui.session.show_parts(std::move(all));
 }
 
-/// As in lists elsewhere: a click selects one, with Ctrl one more, with Shift all from the last one
-/// that was clicked.
+/// Selects rows as other lists do: a click selects one, with Ctrl one more, with Shift all from the
+/// last one clicked.
 void select_row(Ui& ui, const std::vector<std::uint32_t>& listed, std::size_t row) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto anchor = std::ranges::find(listed, ui.part_anchor);
@@ -115,12 +115,12 @@ void buttons(Ui& ui) {
     ImGui::EndDisabled();
 }
 
-/// Width and colour of the lines of what is selected.
+/// Draws width and colour of the selected parts' lines.
 void pen(Ui& ui, const Parts& parts) {
     std::vector<std::string> objects;
     for (const std::uint32_t part : ui.session.selected)
         std::ranges::copy(parts.objects_of(part), std::back_inserter(objects));
-    constexpr std::size_t most = 64; // each is a rule of the style
+    constexpr std::size_t most = 64; // each object is a rule of the style
     if (objects.empty() || objects.front().empty() || objects.size() > most) return;
     Style& style = ui.session.settings.style;
     Pen pen = pen_of_object(style, objects.front());
@@ -138,7 +138,7 @@ void pen(Ui& ui, const Parts& parts) {
     if (wider || other) ui.session.changed();
 }
 
-/// What was dragged, or as high as the rows are.
+/// The height of the list: as it was dragged, or that of its rows.
 float list_height(const Ui& ui, std::size_t rows) {
     constexpr std::size_t most = 8;
     const float row = ImGui::GetFrameHeightWithSpacing();
@@ -146,7 +146,7 @@ float list_height(const Ui& ui, std::size_t rows) {
     return row * static_cast<float>(std::clamp<std::size_t>(rows, 1, most));
 }
 
-/// Makes the list higher or lower.
+/// Draws a bar that makes the list higher or lower.
 void divider(Ui& ui, float height) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::InvisibleButton("parts.divider", {width, ui.points(measures::gap)});

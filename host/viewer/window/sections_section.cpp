@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 3> axis_names{"X", "Y", "Z"};
 
-/// Across another axis, with the same side of it gone, through the middle.
+/// A cut across another axis, through the middle, with the same side gone.
 Cut across(const Session& session, int axis, const Cut& cut) {
     const std::optional<int> before = axis_of(cut);
     Cut result{.normal = glm::dvec3{0}, .on = cut.on};
@@ -38,7 +38,7 @@ bool axis_row(Ui& ui, const std::string& id, Cut& cut) {
     return changed;
 }
 
-/// The position as the file has it, whichever side is gone.
+/// A row with the position in the file's coordinates, whichever side is gone.
 bool position_row(Ui& ui, const std::string& id, Cut& cut) {
     const std::optional<int> axis = axis_of(cut);
     const double sign = axis && cut.normal[*axis] < 0 ? -1 : 1;
@@ -51,7 +51,7 @@ bool position_row(Ui& ui, const std::string& id, Cut& cut) {
     return changed;
 }
 
-/// What becomes of a cut.
+/// What a row has done to a cut.
 enum class Row { same, changed, removed };
 
 Row row(Ui& ui, std::size_t number, Cut& cut) {
@@ -108,7 +108,7 @@ void draw_cuts(Ui& ui, Area canvas) {
         const glm::dvec3 middle = middle_of(cuts[i], session.whole_bounds(), session.origin());
         const std::optional<ImVec2> handle = place(middle);
         if (!handle) continue;
-        // A needle along the normal says which way it goes; it is as long in every picture.
+        // A needle shows the direction of the normal. It is equally long in every picture.
         const auto ahead =
             place(middle + 1e-3 * cuts[i].normal *
                                glm::distance(glm::dvec3{session.whole_bounds().min},

@@ -19,7 +19,7 @@ std::string with_thousands(std::uint64_t number) {
     return digits;
 }
 
-/// A scene is called what it is.
+/// The title of a model. Built-in scenes are marked as examples.
 std::string title_of(const ModelSource& source) {
     return source.files.empty() ? source.name() + " (example)" : source.name();
 }
@@ -79,7 +79,7 @@ bool method(Ui& ui, Side& side, const std::string& id, const char* text) {
         "Quick: the segment atlas, samples along lines, for movements. Exact: lines are cut at the "
         "faces that hide them. The others are for comparing: samples one line at a time, a "
         "picture of numbers, and the depth test of OpenGL.");
-    ImGui::BeginDisabled(side.method == Method::opengl); // it has no probes
+    ImGui::BeginDisabled(side.method == Method::opengl); // this method has no probes
     const bool changed = quality(ui, side, id);
     ImGui::EndDisabled();
     return changed || !(side == before);
@@ -181,7 +181,7 @@ void draw_sidebar(Ui& ui, Area area) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    // What is saved stays in sight, whatever is scrolled.
+    // The buttons for saving stay in sight while the rest scrolls.
     const float footer = ImGui::GetFrameHeightWithSpacing() + ui.points(6);
     // The scroll bar lies in the margin, so that it leaves a gap.
     const float gap = ui.points(8);

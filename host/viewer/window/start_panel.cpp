@@ -1,4 +1,4 @@
-// What an empty window says: what can be opened, and what the mouse does.
+// The text of an empty window: which files it opens, and what the mouse does.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 void recent_files(Ui& ui) {
     constexpr std::size_t most = 5;
-    // A copy: opening changes the list.
+    // This is a copy, because opening a file changes the list.
     std::vector<fs::path> files = ui.session.recent.all();
     if (files.empty()) return;
     if (files.size() > most) files.resize(most);

@@ -13,7 +13,7 @@ struct FontFiles {
     const char* regular;
     const char* bold;
 };
-/// The first that is there is taken; without any, the font inside ImGui.
+/// Fonts to choose from. The first that exists is used; without any, the font inside ImGui.
 constexpr std::array<FontFiles, 4> font_files{
     {{"/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
       "/usr/share/fonts/truetype/inter/Inter-SemiBold.ttf"},
@@ -24,7 +24,7 @@ constexpr std::array<FontFiles, 4> font_files{
      {"/usr/share/fonts/truetype/liberation2/LiberationSans-Regular.ttf",
       "/usr/share/fonts/truetype/liberation2/LiberationSans-Bold.ttf"}}};
 
-/// Where letters are looked for that the first one lacks.
+/// Fonts for letters that the chosen font lacks.
 constexpr std::array other_fonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                  "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
                                  "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
@@ -35,7 +35,7 @@ constexpr std::array other_fonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.tt
                                  "/usr/share/fonts/truetype/noto/NotoSansDevanagari-Regular.ttf",
                                  "/usr/share/fonts/truetype/noto/NotoSansThai-Regular.ttf"};
 
-/// The usual ones and these.
+/// The ranges of the usual letters and of these.
 ImVector<ImWchar> ranges_of(const Letters& letters) {
     ImFontGlyphRangesBuilder builder;
     builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
@@ -50,7 +50,7 @@ ImFont* add_font(const char* file, float size, const Letters& letters, const ImW
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     ImFont* font = fonts.AddFontFromFileTTF(file, size, nullptr, ranges);
     ImFontConfig more;
-    more.MergeMode = true; // of letters that there are already nothing changes
+    more.MergeMode = true; // letters that are there already do not change
     for (const char* other : other_fonts)
         if (!letters.empty() && std::filesystem::exists(other))
             fonts.AddFontFromFileTTF(other, size, &more, ranges);
@@ -60,7 +60,7 @@ ImFont* add_font(const char* file, float size, const Letters& letters, const ImW
 ImFont* load_fonts(float pixels_per_letter, const Letters& letters) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
-    const ImVector<ImWchar> ranges = ranges_of(letters); // until they are built
+    const ImVector<ImWchar> ranges = ranges_of(letters); // must live until the fonts are built
     for (const FontFiles& files : font_files) {
         if (!std::filesystem::exists(files.regular) || !std::filesystem::exists(files.bold))
             continue;

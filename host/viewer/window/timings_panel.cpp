@@ -8,7 +8,7 @@
 namespace lineatlas::viewer {
 namespace {
 
-/// Colours that are told apart beside each other, of one lightness.
+/// Colours of one lightness that can be told apart beside each other.
 constexpr std::array<ImU32, 16> palette{
     IM_COL32(68, 119, 170, 255),  IM_COL32(238, 153, 68, 255),  IM_COL32(92, 158, 108, 255),
     IM_COL32(204, 102, 119, 255), IM_COL32(136, 102, 170, 255), IM_COL32(120, 190, 200, 255),
@@ -21,8 +21,8 @@ ImU32 color_of(std::size_t stage) {
     return palette.at(stage % palette.size());
 }
 
-/// A round number of milliseconds that nearly all frames are below; one that built its kernels
-/// must not flatten all others.
+/// The top of the graph: a round number of milliseconds that nearly all frames are below. A frame
+/// that built its kernels must not flatten all others.
 double ceiling_of(const Timings& timings) {
     std::vector<double> totals;
     for (const Timings::Frame& frame : timings.frames()) totals.push_back(frame.total);
@@ -36,7 +36,7 @@ double ceiling_of(const Timings& timings) {
     return step * 10;
 }
 
-/// A column per frame, its stages one above the other, the newest on the right.
+/// Draws a column per frame with its stages one above the other, the newest on the right.
 void graph(const Ui& ui, const Timings& timings) {
     const ImVec2 size{ui.points(360), ui.points(110)};
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -86,7 +86,7 @@ void legend(const Ui& ui, const Timings& timings) {
     }
 }
 
-/// What kernels read and write, and how fast: the slowest of them.
+/// Draws how much the slowest kernels read and write, and how fast.
 void kernel_table(const Ui& ui, const Timings& timings) {
     std::vector<Timings::Kernel> kernels = timings.kernels();
     std::ranges::sort(kernels, std::ranges::greater{}, &Timings::Kernel::milliseconds);

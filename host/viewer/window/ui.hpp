@@ -25,7 +25,7 @@ struct Area {
     }
 };
 
-/// Where the items of the last frame are, by name: for those who press them without a hand.
+/// The places of the last frame's items, by name, for tests that press them.
 class Spots {
   public:
     void begin_frame() {
@@ -33,13 +33,13 @@ class Spots {
         with_tips_.clear();
     }
     void note(const std::string& name, Area area) { areas_[name] = area; }
-    /// The item that was made last.
+    /// Notes the item that was made last.
     void note(const std::string& name) {
         const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
         areas_[name] = {{low.x, low.y}, {size.x, size.y}};
         last_ = name;
     }
-    /// The item that was noted last says what it does.
+    /// Notes that the last item has a tip.
     void note_tip() { with_tips_.insert(last_); }
     bool has_tip(const std::string& name) const { return with_tips_.contains(name); }
     const std::map<std::string, Area>& all() const { return areas_; }
@@ -61,55 +61,56 @@ struct DeviceChoice {
     DeviceOptions options;
 };
 
-/// What floats over the picture: one at a time.
+/// The panels that float over the picture, one at a time.
 enum class Panel { none, open, exporting, palette, keys };
 
-/// Of a list that one searches by typing.
+/// The state of a list that one searches by typing.
 struct SearchState {
     std::string searched{};
-    int chosen = 0; ///< of those that are found
+    int chosen = 0; ///< row among those that are found
 };
 
-/// Of the panel of files.
+/// The state of the panel of files.
 struct OpenState {
     SearchState search{};
-    std::filesystem::path folder{}; ///< where what is typed begins
-    std::filesystem::path listed{}; ///< whose entries there are
+    std::filesystem::path folder{}; ///< where a typed path begins
+    std::filesystem::path listed{}; ///< the folder that `entries` are of
     std::vector<FileEntry> entries{};
 };
 
-/// Of the panel of exports; kept from one time to the next.
+/// The state of the panel of exports. It is kept when the panel closes.
 struct ExportState {
     ExportOptions options{};
     std::string name{}; ///< of the file
 };
 
-/// What the panels know besides the session.
+/// What the panels need besides the session.
 struct Ui {
     Session& session;
     Spots spots{};
-    Letters letters{}; ///< that texts have beyond the usual ones
+    Letters letters{}; ///< letters of texts beyond the usual ones
     ImFont* bold = nullptr;
     float scale = 1; ///< of letters and spacing
     Theme theme = Theme::light;
     std::set<std::string> folded{"advanced"}; ///< sections of the sidebar
-    float parts_height = 0; ///< of the list of parts, points; 0: as high as they are, up to a limit
+    float parts_height = 0; ///< of the list of parts, points; 0: that of its rows, up to a limit
     bool sidebar = true, timings = false;
     std::vector<DeviceChoice> devices{};
     Panel panel = Panel::none;
     SearchState palette{};
     OpenState open{};
     ExportState exporting{};
-    bool quit = false;                       ///< the window is to be closed
-    bool keyboard_to_sidebar = false;        ///< arrows and Enter are for its items from now on
-    bool kernels = false;                    ///< in the panel of timings, in place of stages
-    std::string part_search{};               ///< what is being typed
-    std::set<std::uint32_t> folded_parts{};  ///< those in them are not listed
+    bool quit = false;                ///< the window is to be closed
+    bool keyboard_to_sidebar = false; ///< arrows and Enter are for its items from now on
+    /// The panel of timings shows kernels in place of stages.
+    bool kernels = false;
+    std::string part_search{};               ///< the typed search for parts
+    std::set<std::uint32_t> folded_parts{};  ///< the parts in them are not listed
     std::uint32_t part_anchor = Parts::none; ///< where a row of selected parts begins
-    bool opens_menu = false;                 ///< the menu of parts, where the mouse is
+    bool opens_menu = false;                 ///< opens the menu of parts where the mouse is
     int record_frames = 120;                 ///< of a recording
     std::string folder = ".";                ///< where files are saved
-    /// Work during which the window can't answer: it is done after a frame that says so.
+    /// Work during which the window cannot respond. It is done after a frame that says so.
     std::optional<std::pair<std::string, std::function<void()>>> later{};
 
     void do_later(const std::string& what, std::function<void()> work) {
@@ -118,7 +119,7 @@ struct Ui {
     float points(float usual) const { return usual * scale; }
 };
 
-/// Saves under a name made of the model's that no file has yet; a session where it was.
+/// Saves a file under a free name made of the model's name; a session under its old name.
 enum class SavedKind { session, png, svg, style, camera, trace };
 void save_as(Ui& ui, SavedKind kind);
 
@@ -127,7 +128,7 @@ float sidebar_width(const Ui& ui);
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
 void draw_parts_section(Ui& ui);
-/// What can be done with what is selected.
+/// Draws the menu of the selected parts.
 void draw_parts_menu(Ui& ui);
 void draw_sections_section(Ui& ui);
 void draw_style_section(Ui& ui);
@@ -135,7 +136,7 @@ void draw_lines_section(Ui& ui);
 void draw_views_section(Ui& ui);
 void draw_advanced_section(Ui& ui);
 void draw_device_rows(Ui& ui); ///< of that
-/// Where cuts lie, with handles to drag.
+/// Draws the planes of cuts, with handles to drag.
 void draw_cuts(Ui& ui, Area canvas);
 void draw_distances(Ui& ui, Area canvas);
 void draw_canvas_overlays(Ui& ui, Area canvas);
@@ -147,16 +148,16 @@ void draw_help(Ui& ui);
 void draw_palette(Ui& ui, Area canvas);
 void draw_open_panel(Ui& ui, Area canvas);
 void draw_export_panel(Ui& ui);
-/// Chooses a name for the file.
+/// Opens the panel of exports with a name for the file.
 void begin_export(Ui& ui);
-/// In place of the one that was there; the same one goes. The panel of files lists the folder of
-/// the model, or the one that was listed last.
+/// Shows a panel in place of the current one, or closes it if it is that. The panel of files lists
+/// the folder of the model, or the folder that was listed last.
 void switch_panel(Ui& ui, Panel panel);
-/// Whether letters are no shortcuts as long as a panel is there.
+/// Whether letters are no shortcuts while a panel is shown.
 inline bool takes_letters(Panel panel) {
     return panel != Panel::none && panel != Panel::keys;
 }
-/// Whether a panel's field has the keyboard as long as the panel is there.
+/// Whether a panel has a field that keeps the keyboard.
 inline bool has_search(Panel panel) {
     return panel == Panel::open || panel == Panel::palette;
 }

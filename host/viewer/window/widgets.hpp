@@ -14,11 +14,11 @@
 #include "theme.hpp"
 #include "ui.hpp"
 
-// Rows of a panel: a label on the left, what it is about on the right. All return whether the value
-// has changed, and are noted under their id.
+// Rows of a panel: a label on the left, its value on the right. All return whether the value has
+// changed, and are noted under their id.
 namespace lineatlas::viewer {
 
-/// A text that may have any letter: fonts have it from the next frame on.
+/// A text that may have any letters. Fonts have them from the next frame on.
 inline const char* shown(Ui& ui, const std::string& text) {
     for (const char *at = text.c_str(), *end = at + text.size(); at < end;) {
         unsigned letter = 0;
@@ -45,14 +45,14 @@ inline bool contains(const std::string& text, const std::string& searched) {
            searched.empty();
 }
 
-/// Of an InvisibleButton that keys reach, too: newer versions leave others out.
+/// Flags of an InvisibleButton that keys can reach. Newer versions of ImGui skip others.
 #if IMGUI_VERSION_NUM >= 19200
 inline constexpr ImGuiButtonFlags by_keys = ImGuiButtonFlags_EnableNav;
 #else
 inline constexpr ImGuiButtonFlags by_keys = ImGuiButtonFlags_None;
 #endif
 
-/// A heading that folds what is below it by a click. Returns whether it is open.
+/// A heading. A click folds or opens the rows below it. Returns whether they are open.
 inline bool section(Ui& ui, const char* id, const char* text) {
     ImGui::Dummy({0, ui.points(2)});
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -75,7 +75,7 @@ inline bool section(Ui& ui, const char* id, const char* text) {
     return open;
 }
 
-/// Goes on in the same row, so far from its start.
+/// Goes on in the same row, `points` from its start.
 inline void column(const Ui& ui, float points) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + ui.points(points));
 }
@@ -87,7 +87,7 @@ inline void label(const Ui& ui, const char* text) {
     ImGui::SetNextItemWidth(-1);
 }
 
-/// What the item does that was made and noted last.
+/// A tip that says what the last item does.
 inline void tip(Ui& ui, const char* text) {
     ui.spots.note_tip();
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
@@ -98,8 +98,8 @@ inline void tip(Ui& ui, const char* text) {
     ImGui::EndTooltip();
 }
 
-/// A slider so many points wide, 0 for all there are; its number stands on the right of it, in
-/// `room` points, where no grip is over it. Ctrl and a click lets one type it.
+/// A slider of a width in points, 0 for all the room there is. Its number stands on the right, in
+/// `room` points that the grip never covers. Ctrl and a click lets one type the number.
 template <class Number>
 bool slider_with_number(Ui& ui, const std::string& id, Number& value, Number low, Number high,
                         const char* format, float width, float room) {
@@ -137,7 +137,7 @@ bool slider(Ui& ui, const char* id, const char* text, Number& value, Number low,
     return changed;
 }
 
-/// A colour. With a border: it may be the panel's own.
+/// A colour. It has a border, because it may be the colour of the panel.
 inline bool swatch(Ui& ui, const char* id, glm::vec3& value, const char* help) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
     ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(190, 188, 182, 255));
@@ -175,7 +175,7 @@ inline bool toggle(Ui& ui, const char* id, const char* text, bool on, float widt
     return pressed;
 }
 
-/// A panel that floats over the picture; ends with ImGui::End().
+/// Begins a panel that floats over the picture. End it with ImGui::End().
 inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::vec2 size,
                            ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos({low.x, low.y});
@@ -188,11 +188,11 @@ inline void begin_floating(const Ui& ui, const char* name, glm::vec2 low, glm::v
     ImGui::PopStyleVar(2);
 }
 
-/// Of panels with a search_field(), and of lists in them: arrows are for what is found.
+/// Flags of panels with a search_field(), and of lists in them. Arrow keys choose among found rows
+/// there.
 inline constexpr ImGuiWindowFlags searched_flags = ImGuiWindowFlags_NoNavInputs;
 
-/// The field of a panel that has the keyboard as long as the panel is there. Returns whether Enter
-/// was pressed.
+/// A field that keeps the keyboard while its panel is shown. Returns whether Enter was pressed.
 inline bool search_field(Ui& ui, SearchState& state, const char* id, const char* hint) {
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
@@ -213,7 +213,7 @@ inline bool key_pressed(ImGuiKey key) {
 #endif
 }
 
-/// Arrows choose among so many that are found. Returns whether another one is chosen now.
+/// Lets arrow keys choose among `count` found rows. Returns whether the choice has changed.
 inline bool move_choice(SearchState& state, std::size_t count) {
     const int before = state.chosen, last = std::max(static_cast<int>(count) - 1, 0);
     if (key_pressed(ImGuiKey_DownArrow)) ++state.chosen;
@@ -222,7 +222,7 @@ inline bool move_choice(SearchState& state, std::size_t count) {
     return state.chosen != before;
 }
 
-/// How much of something is done, 0 to 1; below 0 nobody knows: something moves.
+/// Shows how much is done, 0 to 1. Below 0 the share is not known, and the bar moves.
 inline void progress_bar(const Ui& ui, float done) {
     const float width = ui.points(measures::progress.x), height = ui.points(measures::progress.y);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -241,7 +241,7 @@ inline constexpr ImGuiWindowFlags overlay_flags =
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
     ImGuiWindowFlags_NoNav;
 
-/// A panel as large as what is in it; ends with ImGui::End().
+/// Begins a panel as large as its content. End it with ImGui::End().
 inline void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec2 pivot,
                           glm::vec2 padding = {14, 12}) {
     ImGui::SetNextWindowPos({at.x, at.y}, ImGuiCond_Always, {pivot.x, pivot.y});
@@ -252,7 +252,7 @@ inline void begin_overlay(const Ui& ui, const char* name, glm::vec2 at, glm::vec
     ImGui::PopStyleVar(3);
 }
 
-/// What is drawn over the picture and ends where it does; ends with PopClipRect().
+/// A list for drawing over the picture, clipped at its border. End it with PopClipRect().
 inline ImDrawList& list_over(Area canvas) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({canvas.low.x, canvas.low.y},
@@ -260,8 +260,9 @@ inline ImDrawList& list_over(Area canvas) {
     return list;
 }
 
-/// A text over the picture, on a ground of its own: papers have any colour. `pivot`: which point of
-/// the ground lies at the place, from its upper left corner (0) to the lower right one (1).
+/// A text over the picture. It has a ground of its own, because papers may have any colour.
+/// `pivot`: the point of the ground that lies at the place, from its upper left corner (0) to the
+/// lower right one (1).
 inline Area plate(Ui& ui, const std::string& text, glm::vec2 at, glm::vec2 pivot) {
     const ImVec2 letters = ImGui::CalcTextSize(shown(ui, text));
     const glm::vec2 pad{ui.points(8), ui.points(4)};
@@ -275,7 +276,7 @@ inline Area plate(Ui& ui, const std::string& text, glm::vec2 at, glm::vec2 pivot
     return {low, size};
 }
 
-/// Where in the window a point of the model is seen, if it is.
+/// The place in the window where a point of the model is seen; nothing if it is not seen.
 inline std::optional<ImVec2> place_of(const Session& session, Area canvas, glm::dvec3 point) {
     const auto seen = seen_at(session.navigation.view(), point, session.size());
     if (!seen) return {};
@@ -284,8 +285,9 @@ inline std::optional<ImVec2> place_of(const Session& session, Area canvas, glm::
     return ImVec2{at.x, at.y};
 }
 
-/// A list to choose from: `choose(item)` is called with what was chosen. `name_of(item)` gives what
-/// is read, `is_chosen(item)` says which it is. Items are noted as "id/name".
+/// A list to choose from. `name_of(item)` is the text of an item, `is_chosen(item)` says whether it
+/// is the current one, and `choose(item)` is called with a chosen item. Items are noted as
+/// "id/name".
 template <class Items, class Name, class Chosen, class Choose>
 void choice(Ui& ui, const char* id, const char* text, const std::string& preview,
             const Items& items, const Name& name_of_item, const Chosen& is_chosen,

@@ -16,7 +16,7 @@ std::string last_error() {
     return text == nullptr ? "" : std::string{": "} + text;
 }
 
-/// Empty if it is not set.
+/// An environment variable; empty if it is not set.
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
     return value == nullptr ? "" : value;
@@ -26,7 +26,7 @@ bool has_x11() {
     return !variable("DISPLAY").empty();
 }
 
-/// As Wayland's own library looks for it.
+/// Whether there is a Wayland display, looked for as Wayland's own library does.
 bool has_wayland() {
     if (!variable("WAYLAND_SOCKET").empty()) return true;
     const std::string display = variable("WAYLAND_DISPLAY");
@@ -42,7 +42,8 @@ DeviceError no_window(const std::string& cause) {
                        "; it needs X11 or Wayland, `lineatlas draw` does not");
 }
 
-/// Asks for no display that is not there: libraries print what they miss, each in its own words.
+/// Starts GLFW. Does not ask for a display that is missing, because libraries would print messages
+/// of their own.
 void start_glfw() {
     if (!has_x11() && !has_wayland())
         throw no_window(": neither DISPLAY nor WAYLAND_DISPLAY names a display");

@@ -28,8 +28,8 @@ class InputListener {
     virtual void on_refresh() = 0; ///< the window's size has changed, or it must be shown again
 };
 
-/// Keeps what happens, in order, however much of it happens during one frame. ImGui knows only how
-/// keys and buttons are, not how they came to be so: it is shown one event after the other.
+/// Keeps events in their order, however many come during one frame. ImGui knows only the state of
+/// keys and buttons, so it is shown one event after the other.
 class InputQueue final : public InputListener {
   public:
     void on_key(int key, int scancode, int action, int mods) override;
@@ -43,8 +43,8 @@ class InputQueue final : public InputListener {
     void on_refresh() override;
 
     bool empty() const { return events_.empty(); }
-    /// Tells of the first event. Moves of the mouse in a row are told together, as are turns of the
-    /// wheel: nothing can happen between them.
+    /// Passes on the first event. Moves of the mouse in a row are passed on together, and so are
+    /// turns of the wheel, because nothing happens between them.
     void pass_next_to(InputListener& listener);
 
   private:
@@ -59,7 +59,7 @@ class InputQueue final : public InputListener {
 /// A window with a GL 4.5 core context, current on the thread that made it.
 class Window {
   public:
-    /// Throws DeviceError with what to do.
+    /// Throws DeviceError that says what to do.
     Window(glm::ivec2 size, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -71,7 +71,7 @@ class Window {
 
     glm::ivec2 points() const;
     glm::ivec2 pixels() const;
-    /// Pixels per point; not 1 where the system scales windows itself.
+    /// Pixels per point; not 1 if the system scales windows itself.
     float pixels_per_point() const;
     /// How large the system wants letters to be, in points: 1 is usual.
     float content_scale() const;
@@ -79,7 +79,7 @@ class Window {
     bool should_close() const;
     void close();
     void show_frame(); ///< swaps buffers
-    /// Waits at most so long for something to happen; below 0: without end.
+    /// Waits for an event, at most `seconds`; below 0: without end.
     static void wait(double seconds);
     static void wake(); ///< ends wait(), from any thread
 

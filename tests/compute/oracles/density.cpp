@@ -22,7 +22,7 @@ struct Plane {
         : cells(size), values(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
     }
 
-    /// Beside the grid: the nearest cell.
+    /// The value of a cell; beside the grid that of the nearest cell.
     std::uint32_t& at(int x, int y) {
         x = std::clamp(x, 0, cells.x - 1);
         y = std::clamp(y, 0, cells.y - 1);
@@ -30,7 +30,7 @@ struct Plane {
     }
 };
 
-/// Linear between powers of two; x >= 1.
+/// A logarithm that is linear between powers of two, for x >= 1.
 float rough_log2(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x);
     return static_cast<float>((bits >> 23U) - 127) +
@@ -61,11 +61,11 @@ std::uint32_t priority_of(const DensityInput& in, std::uint32_t i) {
 
 /// A stretch of a run with the same opacity everywhere.
 struct Piece {
-    float from, to; ///< as the run's samples are counted
+    float from, to; ///< counted in samples of the run
     float opacity;
 };
 
-/// The run as stretches of one sample, and what positions on it are counted from and to.
+/// A run as stretches of one sample. first, last: the positions at its ends.
 struct Pieces {
     float first, last;
     std::vector<Piece> list{};
@@ -101,7 +101,8 @@ void add(Bins& bins, std::uint32_t priority, glm::ivec2 cell, float pixels) {
     if (above != 0) bins[bin + 1].at(cell.x, cell.y) += of_next;
 }
 
-/// Length is shared out among the four cells around each piece, and rounded once per such four.
+/// Adds the length of a run. The length is shared among the four cells around each piece, and
+/// rounded once for each group of four cells.
 void add_run(Bins& bins, const Run& run, std::uint32_t priority,
              std::span<const std::uint8_t> alpha) {
     const glm::vec2 start{run.start[0], run.start[1]};
@@ -165,7 +166,7 @@ float mean_weight(float before, float own, float allowed, float soft) {
     return (whole + (to - from) * at_middle) / own;
 }
 
-/// The limit of a cell, as smoothed sums are counted.
+/// The limit of a cell, in the units of smoothed sums.
 float allowed_in(const DensityInput& in, int x, int y) {
     const glm::vec2 centre = (glm::vec2{x, y} + 0.5F) * float{LA_DENSITY_CELL};
     return limit_at(in, centre) *
@@ -175,7 +176,7 @@ float allowed_in(const DensityInput& in, int x, int y) {
 /// A value per cell.
 using Cells = std::vector<float>;
 
-/// The most about a cell.
+/// The largest value about a cell.
 float most_about(const Cells& values, glm::ivec2 cells, int x, int y) {
     float most = 0;
     for (int v = std::max(y - 2, 0); v <= std::min(y + 2, cells.y - 1); ++v) {
@@ -209,7 +210,7 @@ Cells share_out(const DensityInput& in, Bins& bins, const Cells& excess, std::sp
     return drawn;
 }
 
-/// By which share of the limit more than that is left about each cell.
+/// The excess about each cell: the length that is left beyond the limit, as a share of the limit.
 Cells excess_of(const DensityInput& in, glm::ivec2 cells, const Cells& drawn) {
     const auto drawn_at = [&](int x, int y) {
         return drawn[static_cast<std::size_t>(std::clamp(y, 0, cells.y - 1) * cells.x +

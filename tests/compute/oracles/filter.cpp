@@ -10,7 +10,7 @@
 namespace lineatlas::test::oracles {
 namespace {
 
-/// Nothing is shorter than this, in pixels: rounding of arc lengths.
+/// Nothing is shorter than this, in pixels, because arc lengths are rounded.
 constexpr float shortest = 0.01F;
 /// Samples that may fade out before an end.
 constexpr std::uint32_t fading_samples = 8;
@@ -40,7 +40,7 @@ std::uint32_t last_sample(const Run& run) {
     return static_cast<std::uint32_t>(run.end_sample - 0.5F) - 1;
 }
 
-/// One path: first all its intervals, then strokes, then pieces of them, then runs.
+/// Filters one path: finds all its intervals, then strokes, then pieces of strokes, then runs.
 class PathFilter {
   public:
     PathFilter(const FilterInput& in, std::size_t run_begin, std::size_t run_end,
@@ -145,7 +145,7 @@ class PathFilter {
         return result;
     }
 
-    /// Whether a stroke may go on beyond an end, so that nobody knows how long it is.
+    /// True if a stroke may go on beyond an end of this kind, so that its length is unknown.
     static bool is_cut_off(std::uint32_t kind) {
         return kind == LA_END_CLIPPED || kind == LA_END_JOIN;
     }
@@ -221,7 +221,7 @@ class PathFilter {
 
     float overshoot_beside(float ink) const { return std::min(ink * ink / overshoot_, overshoot_); }
 
-    /// Less beside little ink, and never across a gap.
+    /// Sets the overshoot of an interval: less beside little ink, and never across a gap.
     void set_overshoot(PathInterval& interval) const {
         if (!(overshoot_ > 0)) return;
         float& at_start = interval.start_overshoot;
@@ -242,7 +242,7 @@ class PathFilter {
         }
     }
 
-    /// A stroke at its final length, less the gaps in it.
+    /// Emits a stroke at its final length, without the gaps in it.
     void emit(const PathInterval& interval) {
         float start = interval.start, end = interval.end;
         std::uint32_t start_kind = interval.start_kind, end_kind = interval.end_kind;
@@ -288,7 +288,7 @@ class PathFilter {
         }
     }
 
-    /// In ascending order; they may overlap.
+    /// The gaps in an interval in ascending order. They may overlap.
     std::vector<Span> gaps(const PathInterval& interval) const {
         std::vector<Span> result;
         if (in_.cuts.empty()) return result;
@@ -307,7 +307,7 @@ class PathFilter {
         if (end - start < shortest) return;
         const std::uint32_t kinds =
             start_kind << LA_STROKE_START_SHIFT | end_kind << LA_STROKE_END_SHIFT;
-        // A loop without an end: all of it is the middle of its stroke.
+        // A loop without an end is entirely the middle of its stroke.
         const bool endless = start_kind == LA_END_JOIN && end_kind == LA_END_JOIN;
         const Span stroke = endless ? Span{-LA_ENDLESS, LA_ENDLESS} : Span{start, end};
         const float around = 2 * half_length_;
@@ -340,19 +340,20 @@ class PathFilter {
         emit_part(forward(i, from), {from, to}, start_kind, end_kind, stroke, kinds);
     }
 
-    /// From segment i on the one that an arc length lies in.
+    /// The first segment from i on that contains an arc length.
     std::uint32_t forward(std::uint32_t i, float arc) const {
         while (i < last_ && span(i).end < arc && frame_.goes_on(i)) ++i;
         return i;
     }
 
-    /// Of segment i; none if the atlas is too small for them, and the frame is done again.
+    /// The samples of segment i; none if the atlas is too small for them. Then the frame is drawn
+    /// again.
     std::uint32_t samples_of(std::uint32_t i) const {
         const std::uint32_t l = frame_.samples(i);
         return l <= in_.capacity && frame_.offsets[i] <= in_.capacity - l ? l : 0;
     }
 
-    /// Runs from segment i on.
+    /// Emits the runs of a part from segment i on.
     void emit_part(std::uint32_t i, Span part, std::uint32_t start_kind, std::uint32_t end_kind,
                    Span stroke, std::uint32_t kinds) {
         bool begins = true, ends = false;

@@ -16,9 +16,9 @@ struct FilterInput {
     std::span<const RunCuts> cuts; ///< empty: no gaps
 };
 
-/// What `filter` makes of whole paths: all intervals of a path at a time, in lists that grow.
-/// alpha: the memory of FilterInput::alpha, or other. Writes nothing to `filtered` if it is too
-/// small. Returns the record of what it wrote.
+/// Filters whole paths like `filter`, but with all intervals of a path at a time, in lists that
+/// grow. alpha: the memory of FilterInput::alpha, or other. Writes nothing to `filtered` if it is
+/// too small. Returns the record of what it wrote.
 FrameRecord filter(const FilterInput& input, std::span<std::uint8_t> alpha, std::span<Run> filtered,
                    const FrameRecord& record);
 

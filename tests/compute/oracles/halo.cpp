@@ -78,10 +78,10 @@ float depth_at(const Run& run, float share) {
 
 using Cut = std::pair<float, float>;
 
-/// A run as what is cut, and as what cuts.
+/// A run as the line that is cut and as the line that cuts.
 struct Lines {
     Line under, over;
-    float before; ///< by which `under` is longer at its start
+    float before; ///< the length by which `under` is longer at its start
 
     Lines(const HaloInput& in, std::size_t r) : before(reach(in, r, false)) {
         const Run& run = in.runs[r];

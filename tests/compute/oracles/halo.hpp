@@ -12,7 +12,7 @@ struct HaloInput {
     std::span<const Run> runs;
     glm::vec2 viewport; ///< pixels
     float width;        ///< from the middle of the nearer stroke to the end of the gap, pixels
-    float tolerance;    ///< a line is nearer if it is so by more than that, window depth times w
+    float tolerance;    ///< lines nearer by more than this are nearer, window depth times w
 };
 
 /// The gaps of `halo`, from all pairs of runs that share a square of the picture. cuts: as many as

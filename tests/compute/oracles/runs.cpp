@@ -61,7 +61,7 @@ std::uint32_t path_end(const FrameTables& frame, std::uint32_t i, bool at_end,
     if (last && (segment.tag & LA_TAG_CLOSED) == 0) return LA_END_PATH;
     neighbour = at_end ? i + 1 : i - 1;
     if (last) neighbour = at_end ? i - segment.from_start : i + segment.to_end;
-    // Arc lengths, not sample counts: a neighbour that is hidden whole has no samples.
+    // By arc lengths, not by samples, because an entirely hidden neighbour has no samples.
     return frame.is_drawn(neighbour) ? LA_END_JOIN : LA_END_CLIPPED;
 }
 
@@ -83,7 +83,7 @@ Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uin
     const float depth_p = window_depth(clipped.p);
     const float depth_q = window_depth(clipped.q);
     const float u = sample / static_cast<float>(l);
-    return {.position = u == 1 ? q : p + (q - p) * u, // exactly where the next one starts
+    return {.position = u == 1 ? q : p + (q - p) * u, // exactly the start of the next segment
             .depth = depth_p + (depth_q - depth_p) * u,
             .arc = frame.arc(i) + frame.length(i) * u};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Making a run of a piece of a segment: what `filter` needs of it, and `halo`.
+// Makes runs of pieces of segments, for the oracles of `filter` and `halo`.
 
 #include <cstdint>
 #include <span>
@@ -27,19 +27,19 @@ struct FrameTables {
     /// path.
     float arc(std::uint32_t i) const;
     float length(std::uint32_t i) const;
-    /// Whether segment i and the next one are drawn as one line: same path, and no part between
-    /// them was clipped away.
+    /// True if segment i and the next one are drawn as one line: they are of the same path, and no
+    /// part between them is clipped.
     bool goes_on(std::uint32_t i) const;
 };
 
-/// What an end of a segment is, LA_END_*, and how it meets its neighbour.
+/// The kind of an end of a segment (LA_END_*), and how it meets its neighbour.
 struct End {
     std::uint32_t kind;
     glm::vec2 corner{0, 0}; ///< at a join, see Run
 };
 
-/// What lies at one end of segment i: LA_END_CLIPPED, LA_END_PATH, or LA_END_JOIN where the path
-/// goes on in segment `neighbour`.
+/// The kind of one end of segment i: LA_END_CLIPPED, LA_END_PATH, or LA_END_JOIN if the path goes
+/// on in segment `neighbour`.
 std::uint32_t path_end(const FrameTables& frame, std::uint32_t i, bool at_end,
                        std::uint32_t& neighbour);
 
@@ -49,19 +49,19 @@ struct Place {
     float depth, arc;
 };
 
-/// The place at a position counted in samples of segment i, of which it has `l` or, if it has none,
-/// any number in which positions are counted.
+/// The place at a position in samples of segment i. l: the number of its samples, or any unit of
+/// positions if it has none.
 Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uint32_t l);
 
 /// §4.5, mitering; see run.h.
 End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
 
-/// A run between two positions counted in samples of segment i, of which it has `l`. Address and
-/// stroke are the caller's.
+/// A run between two positions in samples of segment i, which has `l` samples. The caller sets
+/// address and stroke.
 Run make_run(const FrameTables& frame, std::uint32_t i, float start_sample, float end_sample,
              std::uint32_t l, const End& start, const End& end);
 
-/// Whether an end of run r is not where visibility ends: the path ends there, or goes on visibly.
+/// True if visibility does not end at an end of run r: the path ends there, or goes on visibly.
 bool shown_across(std::span<const Segment> segments, std::span<const Run> runs, std::size_t r,
                   bool at_end);
 

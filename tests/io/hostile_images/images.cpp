@@ -1,7 +1,7 @@
 // A module for pictures that a hostile file has taken over: a picture's description is the port and
 // the path of a Target, and its file holds what became of each attempt, by the thread that encodes
-// and by one that was started when the module was loaded, then what it has inherited.
-// Where it is "memory", "time" or "crash", the module takes all of that, or does that.
+// and by one that was started when the module was loaded, then what it has inherited. With the
+// description "memory" or "time" the module takes all of it, and with "crash" it crashes.
 
 #include <csignal>
 #include <memory>

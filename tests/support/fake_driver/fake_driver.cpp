@@ -22,7 +22,7 @@ cl_icd_dispatch table{};
 
 } // namespace
 
-// The loader looks at the first member of what a driver hands out.
+// The loader reads the first member of all objects that a driver returns.
 struct _cl_platform_id {
     cl_icd_dispatch* dispatch = &table;
 };
@@ -164,7 +164,7 @@ cl_int CL_API_CALL build_info(cl_program, cl_device_id, cl_program_build_info, s
 
 template <class Object>
 cl_int CL_API_CALL count_reference(Object) {
-    return CL_SUCCESS; // all live as long as the process
+    return CL_SUCCESS; // all objects live as long as the process
 }
 
 bool fill_table() {

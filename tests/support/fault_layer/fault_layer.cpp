@@ -26,8 +26,8 @@ OpenClFaults faults{.memory = number_from("LINEATLAS_TEST_MEMORY"),
                     .largest_buffer = number_from("LINEATLAS_TEST_BUFFER"),
                     .largest_group = number_from("LINEATLAS_TEST_GROUP")};
 const cl_icd_dispatch* driver = nullptr;
-bool is_lost = false;           ///< from the failed command on, where that is wanted
-cl_int late_error = CL_SUCCESS; ///< for the next wait
+bool is_lost = false;           ///< from the failed command on, if OpenClFaults::lost is set
+cl_int late_error = CL_SUCCESS; ///< the result of the next wait
 
 /// Several threads may count at the same time.
 template <class Number>
@@ -35,31 +35,31 @@ void count_up(Number& number, int by = 1) {
     std::atomic_ref{number} += by;
 }
 
-/// Counts a call; whether it is the one that fails.
+/// Counts a call. Returns true if the call must fail.
 bool fails(int& count, int& wanted) {
     count_up(count);
     if (is_lost && !faults.lost) is_lost = false;
     if (is_lost) return true;
     if (wanted == 0 || --wanted > 0) return false;
     is_lost = faults.lost;
-    return true; // wanted is 0 now: those after it succeed
+    return true; // wanted is 0 now, so later calls succeed
 }
 
-/// Whether a command fails at once.
+/// True if a command must fail at once.
 bool command_fails() {
     if (!fails(faults.commands, faults.fail_command)) return false;
     if (faults.late) late_error = CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST;
     return !faults.late;
 }
 
-/// What a wait returns.
+/// The result of a wait.
 cl_int wait_status(cl_int status) {
     const cl_int error = late_error;
     late_error = CL_SUCCESS;
     return error != CL_SUCCESS ? error : status;
 }
 
-/// A command that was asked for its event made one.
+/// Counts the event of a command if the caller asked for one.
 template <class Argument>
 void count_event(Argument argument) {
     if constexpr (std::is_same_v<Argument, cl_event*>) {
@@ -73,7 +73,7 @@ struct Hook;
 template <class Result, class... Arguments,
           Result (CL_API_CALL* cl_icd_dispatch::*function)(Arguments...), ClKind kind>
 struct Hook<function, kind> {
-    /// Of what makes an object and returns a status through its last argument.
+    /// For functions that make an object and return a status through their last argument.
     static Result CL_API_CALL create(Arguments... arguments) {
         if (fails(faults.creations, faults.fail_creation)) {
             auto* status = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
@@ -95,19 +95,19 @@ struct Hook<function, kind> {
         if (status == CL_SUCCESS) (count_event(arguments), ...);
         return status;
     }
-    /// Of a command that waits for those before it. What a lost device was at has ended.
+    /// For commands that wait for earlier commands. On a lost device these have ended.
     static Result CL_API_CALL wait(Arguments... arguments) {
         const Result status = wait_status(command(arguments...));
         if (is_lost) (driver->*function)(arguments...);
         return status;
     }
-    /// Of one that does so if its third argument says so.
+    /// For commands that wait if their third argument asks for it.
     static Result CL_API_CALL transfer(Arguments... arguments) {
         const bool waits = std::get<2>(std::tie(arguments...)) == CL_TRUE;
         const Result status = command(arguments...);
         return waits ? wait_status(status) : status;
     }
-    /// Of what maps memory: a command with the status last.
+    /// For commands that map memory, whose last argument takes the status.
     static Result CL_API_CALL map(Arguments... arguments) {
         if (command_fails()) {
             auto* status = std::get<sizeof...(Arguments) - 1>(std::tie(arguments...));
@@ -130,7 +130,7 @@ struct Hook<function, kind> {
     }
 };
 
-/// Buffers may end in the driver's threads.
+/// Atomic, because buffers may end in the driver's threads.
 std::atomic_ref<std::uint64_t> allocated() {
     return std::atomic_ref{faults.allocated};
 }
@@ -156,8 +156,8 @@ cl_mem CL_API_CALL create_buffer(cl_context context, cl_mem_flags flags, size_t 
     return buffer;
 }
 
-/// A compiler's fault: in place of the first text that LINEATLAS_TEST_MISCOMPILE names, what stands
-/// behind its =>.
+/// Imitates a fault of the compiler: replaces the text before => in LINEATLAS_TEST_MISCOMPILE by
+/// the text after it, where it occurs first.
 cl_program CL_API_CALL create_program(cl_context context, cl_uint count, const char** texts,
                                       const size_t* lengths, cl_int* status) {
     using Created = Hook<&cl_icd_dispatch::clCreateProgramWithSource, cl_programs>;
@@ -175,7 +175,7 @@ cl_program CL_API_CALL create_program(cl_context context, cl_uint count, const c
     return Created::create(context, 1, &text, nullptr, status);
 }
 
-/// What a program asked for and got, changed to `limit`, if there is one.
+/// Changes a value that a program asked for to `limit`, if there is one.
 template <class Value>
 void pretend(Value limit, void* value) {
     if (limit != 0 && value != nullptr) std::memcpy(value, &limit, sizeof(limit));
@@ -207,7 +207,7 @@ cl_int CL_API_CALL set_argument(cl_kernel kernel, cl_uint index, size_t size, co
     return driver->clSetKernelArg(kernel, index, size, value);
 }
 
-/// What drivers build a kernel for: "scan_list -DSCAN_SATURATE=0 ..., groups of 64".
+/// The form of a kernel that drivers build: "scan_list -DSCAN_SATURATE=0 ..., groups of 64".
 std::string form_of(cl_kernel kernel, std::size_t items, std::size_t group) {
     constexpr std::size_t many = 1U << 16U; // for PoCL
 

@@ -15,12 +15,13 @@ const bool* wanted = nullptr;
 using ContextKey = std::pair<std::vector<cl_context_properties>, std::vector<cl_device_id>>;
 using Source = std::pair<cl_context, std::string>;
 
-/// What is in here is never released, so that no other object gets its address.
+/// The objects in these tables are never released, so that no other object gets their addresses.
 std::map<ContextKey, cl_context> contexts;
 std::map<std::pair<Source, std::string>, cl_program> built;
 
 std::map<cl_program, Source> sources;
-std::map<cl_program, cl_program> built_instead; ///< of programs that are not built themselves
+std::map<cl_program, cl_program> built_instead; ///< the programs used in place of those that are
+                                                ///< not built themselves
 
 cl_context CL_API_CALL create_context(const cl_context_properties* properties, cl_uint count,
                                       const cl_device_id* devices,
@@ -49,7 +50,7 @@ bool is_shared(cl_context context) {
     return false;
 }
 
-/// Of another program at that address.
+/// Forgets an earlier program at the same address.
 void forget(cl_program program) {
     sources.erase(program);
     built_instead.erase(program);

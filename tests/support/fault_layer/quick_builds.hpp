@@ -4,12 +4,14 @@
 
 namespace lineatlas::test {
 
-/// A driver that builds each program once in a process: for tests that make hundreds of renderers,
-/// since PoCL's compiler reads its own headers anew for every program of every one of them.
+/// A driver that builds each program once in a process. It is for tests that make hundreds of
+/// renderers, because PoCL's compiler reads its own headers again for every program of every
+/// renderer.
 ///
-/// Contexts of the same devices are one, because programs belong to a context, and kernels of a
-/// program come from the first that was built of the same source with the same options. `wanted` is
-/// asked when a context is made. Returns the table to call in place of `driver`, which stays.
+/// Contexts of the same devices are one, because programs belong to a context. Kernels of a program
+/// come from the first program that was built from the same source with the same options. `wanted`
+/// is read when a context is made. Returns the table to call in place of `driver`; `driver` does
+/// not change.
 const cl_icd_dispatch& build_once(const cl_icd_dispatch& driver, const bool& wanted);
 
 } // namespace lineatlas::test

@@ -10,7 +10,7 @@ cl_int CL_API_CALL set_argument(cl_kernel kernel, cl_uint index, size_t size, co
     auto& arguments = state().arguments[kernel];
     arguments.erase(index);
     if (size == sizeof(cl_mem) && value != nullptr) {
-        // Any 8 bytes may stand here; only a handle that is known means an object.
+        // These may be any 8 bytes; they mean an object only if the handle is known.
         cl_mem memory = nullptr;
         std::memcpy(&memory, value, sizeof(memory));
         if (state().opened.contains(memory)) arguments[index] = memory;
@@ -26,8 +26,9 @@ cl_int CL_API_CALL launch(cl_command_queue queue, cl_kernel kernel, cl_uint dime
                                                   event_count, events, event);
 }
 
-// A driver holds references of its own while commands run, so its count does not say when the
-// program has let go. A handle that comes again must not inherit what an earlier one left.
+// A driver holds its own references while commands run, so its count does not tell when the program
+// has released an object. A handle that is used again must not inherit the state of an earlier
+// object.
 
 cl_kernel CL_API_CALL create_kernel(cl_program program, const char* name, cl_int* result) {
     cl_kernel kernel = state().driver->clCreateKernel(program, name, result);

@@ -23,9 +23,10 @@ void fence() {
     fenced = true;
 }
 
-/// libepoxy calls GL through variables. Before its first call one holds a function that finds the
-/// real one, if it still holds that very function, and calls whatever it holds then. So during a
-/// call the variable has what it had without a watcher.
+/// libepoxy calls GL through variables. Before its first call a variable holds a resolver. If the
+/// variable still holds the resolver when that runs, the resolver replaces it by the real function.
+/// Then it calls the function in the variable. So during a call the variable holds the same as
+/// without a watcher.
 template <auto slot, void (*note)()>
 struct Watcher;
 

@@ -5,9 +5,9 @@ namespace lineatlas::test {
 /// Puts watchers in front of the GL functions of this process (those of libepoxy).
 void watch_gl();
 
-/// Whether GL was waited for since the last command.
+/// True if somebody has waited for GL since its last command.
 bool gl_is_finished();
-/// Whether a fence follows the last command.
+/// True if a fence follows the last command.
 bool gl_is_fenced();
 
 /// While one exists, GL commands are the layer's own and not watched.

@@ -4,8 +4,8 @@
 
 /// A layer between the OpenCL loader and a driver without cl_khr_gl_sharing (OPENCL_LAYERS): it
 /// implements that extension by copying, and counts what would be wrong on a driver that really
-/// shares. LINEATLAS_TEST_LAYER names how it behaves, see Behaviour in layer.cpp; it is read anew
-/// in every call.
+/// shares. LINEATLAS_TEST_LAYER names how it behaves, see Behaviour in layer.cpp; every call reads
+/// it again.
 namespace lineatlas::test {
 
 struct LayerCounts {
@@ -16,15 +16,15 @@ struct LayerCounts {
     std::uint32_t gl_waits;   ///< glFinish
     std::uint32_t cl_waits;   ///< clFinish
     std::uint32_t no_images;  ///< textures for which the driver made no image: PoCL 7.1 makes none
-    std::uint32_t violations; ///< of the rules of who may use what when; each is printed
+    std::uint32_t violations; ///< of the rules of sharing; each is printed
 };
 
-/// What a probe says of textures after these.
+/// The words of a probe about textures after these counts.
 inline const char* said_of_textures(const LayerCounts& counts) {
     return counts.no_images > 0 ? "textures not: " : "textures too";
 }
 
-/// The layer exports this; counts since the last call.
+/// The type of the function that the layer exports. It returns the counts since its last call.
 using TakeLayerCounts = LayerCounts();
 inline constexpr const char* take_layer_counts_symbol = "lineatlas_test_take_layer_counts";
 

@@ -43,7 +43,7 @@ bool has_gl_property(const cl_context_properties* properties) {
     return false;
 }
 
-/// Context and display are those that are current, and of one window system.
+/// True if the context and the display are current and of the same window system.
 bool names_current_context(const cl_context_properties* properties) {
     const auto is = [&](cl_context_properties name, const char* library, const char* function) {
         void* object = current(library, function);
@@ -105,7 +105,7 @@ cl_int CL_API_CALL get_gl_context_info(const cl_context_properties* properties, 
                                           static_cast<cl_device_id*>(value), nullptr);
 }
 
-/// What a driver that shares would never show, so that a missing acquire is seen.
+/// Bytes that a driver with real sharing would never show, so that a missing acquire is noticed.
 std::vector<std::byte> garbage(std::size_t bytes) {
     return std::vector<std::byte>(bytes, std::byte{0xCD});
 }

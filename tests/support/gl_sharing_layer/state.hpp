@@ -25,7 +25,7 @@ struct Opened {
     bool in_flight; ///< released, but GL would not see it yet
     std::vector<std::byte> content;
     unsigned references = 1;               ///< the program's
-    std::shared_ptr<std::byte> imported{}; ///< where that memory is; null for GL's objects
+    std::shared_ptr<std::byte> imported{}; ///< the imported memory; null for GL's objects
 };
 
 struct State {
@@ -37,11 +37,11 @@ struct State {
 };
 State& state();
 
-/// LINEATLAS_TEST_LAYER names it.
+/// True if LINEATLAS_TEST_LAYER names this behaviour.
 bool behaves(std::string_view name);
 
 void violation(const std::string& message);
-/// Counts a violation if `object` is opened and not acquired.
+/// Counts a violation if `object` is opened but not acquired.
 void check_use(cl_mem object, const char* by);
 
 } // namespace lineatlas::test
