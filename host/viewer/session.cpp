@@ -38,16 +38,57 @@ write_times_of(const std::vector<std::filesystem::path>& files) {
 
 } // namespace
 
+namespace {
+
+/// Tables keep the size that the largest model has given them.
+bool is_much_smaller(const LineSet& lines, const Model* before) {
+    return before != nullptr && 4 * lines.segments.size() < before->lines.segments.size();
+}
+
+} // namespace
+
 bool same(const View& a, const View& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov_y == b.fov_y &&
            a.projection == b.projection;
 }
 
-Session::Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake)
-    : loader(std::move(wake)), writer_(writer), device_(device) {
-    if (attempt([&] { renderer_ = std::make_unique<Renderer>(device_); })) return;
-    device_ = {.compute = "cpp"}; // needs no driver
-    renderer_ = std::make_unique<Renderer>(device_);
+Session::Session(const DeviceOptions& device, ImageWriter& writer, SharedContext& context,
+                 std::function<void()> wake)
+    : loader(wake), writer_(writer), device_(device), drawing_(context, wake) {
+    if (attempt([&] { make_renderer(); })) return;
+    device_ = {.compute = "cpp"}; // needs nothing
+    make_renderer();
+}
+
+Session::~Session() {
+    outdated_ = true;
+    drawing_.run([&] {
+        picture_.reset();
+        shown_ = {};
+        spare_ = {};
+        preview_ = {};
+        sketch_.reset();
+        renderer_.reset();
+    });
+}
+
+void Session::make_renderer() {
+    drawing_.run([&] {
+        renderer_.reset(); // frees its memory first
+        renderer_ = std::make_unique<Renderer>(device_);
+        description_ = describe_device();
+    });
+}
+
+/// One that has nothing yet of the models before.
+void Session::renew_renderer() {
+    make_renderer();
+    load_pens(settings.style);
+}
+
+std::string Session::describe_device() const {
+    const std::string note = renderer_->note();
+    return renderer_->description() + (note.empty() ? "" : "; " + note);
 }
 
 /// Runs an action and reports its failure.
@@ -175,9 +216,10 @@ glm::dvec3 Session::origin() const {
 
 void Session::load_pens(const Style& style) {
     const auto read = [&](const auto& path) { return read_image_isolated(path, read_limits); };
-    for (const auto& [mark, image] : read_pen_images(style, {}, read)) {
-        renderer_->set_pen_image(mark, image);
-    }
+    const auto images = read_pen_images(style, {}, read);
+    drawing_.run([&] {
+        for (const auto& [mark, image] : images) renderer_->set_pen_image(mark, image);
+    });
 }
 
 void Session::use_style(const std::string& name) {
@@ -192,9 +234,12 @@ void Session::use_style(const std::string& name) {
 
 void Session::use_device(const DeviceOptions& device) {
     attempt([&] {
-        renderer_->set_device(device);
+        drawing_.run([&] {
+            renderer_->set_device(device);
+            sketch_.reset();
+            description_ = describe_device();
+        });
         device_ = device;
-        sketch_.reset();
         sketched_.reset();
         timings.clear();
         timings_due_ = 0;
@@ -202,15 +247,11 @@ void Session::use_device(const DeviceOptions& device) {
     });
 }
 
-std::string Session::device_description() const {
-    const std::string note = renderer_->note();
-    return renderer_->description() + (note.empty() ? "" : "; " + note);
-}
-
 void Session::show(std::shared_ptr<Model> model) {
     const std::shared_ptr<Model> before = model_;
     const bool done = attempt([&] {
-        renderer_->set_lines(model->lines);
+        if (is_much_smaller(model->lines, before.get())) renew_renderer();
+        drawing_.run([&] { renderer_->set_lines(model->lines); });
         model_ = model;
         sketched_.reset();
     });
@@ -220,7 +261,6 @@ void Session::show(std::shared_ptr<Model> model) {
         for (const std::filesystem::path& file : model_->source.files) recent.add(file);
         read_times_ = write_times_of(model_->source.files);
         selected.clear();
-        refine_seconds_ = unknown_seconds;
         pace_ = {};
         settings.shown = model_->shown;
         whole_bounds_ = bounds_of(*model_->whole);
@@ -339,11 +379,13 @@ Camera Session::camera() const {
 bool Session::save_picture(const std::filesystem::path& path) {
     if (model_ == nullptr) return false;
     return attempt([&] {
-        save({.model = *model_,
-              .view = navigation.goal(),
-              .size = size_,
-              .options = still_options(settings)},
-             path, *renderer_, writer_);
+        drawing_.run([&] {
+            save({.model = *model_,
+                  .view = navigation.goal(),
+                  .size = size_,
+                  .options = still_options(settings)},
+                 path, *renderer_, writer_);
+        });
         messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame is not that of the window any more
     });
@@ -369,7 +411,7 @@ bool Session::save_trace(const std::filesystem::path& path) {
         return false;
     }
     return attempt([&] {
-        save_text(profile_trace(timings.profiles(), renderer_->description()), path);
+        save_text(profile_trace(timings.profiles(), description_), path);
         messages.notice("Saved " + path.string());
     });
 }
@@ -383,6 +425,7 @@ void Session::resize(glm::ivec2 pixels) {
 void Session::advance(double seconds) {
     messages.advance(seconds);
     navigation.advance(seconds);
+    outdated_ = stale_ || (drawn_view_ && !same(*drawn_view_, navigation.view()));
     std::optional<Loader::Result> result = loader.take();
     if (!result) {
         restart_stale_job(seconds);
@@ -398,78 +441,20 @@ void Session::advance(double seconds) {
 }
 
 bool Session::stale() const {
-    if (model_ == nullptr || size_.x <= 0 || size_.y <= 0) return false;
-    const bool provisional = moving_ && (settings.steady || economy_ != Economy::none);
+    if (drawing() || model_ == nullptr || size_.x <= 0 || size_.y <= 0) return false;
+    const bool provisional = moving_ && (settings.steady || economy() != Economy::none);
     return stale_ || provisional || refine_due_ || !drawn_view_ ||
            !same(*drawn_view_, navigation.view());
 }
 
-void Session::draw_side(std::size_t side, const Camera& camera) {
-    std::unique_ptr<gl::Canvas>& canvas = canvases_.at(side);
-    if (canvas == nullptr || canvas->size() != camera.size)
-        canvas = std::make_unique<gl::Canvas>(camera.size);
-    canvas->clear({settings.style.paper.color, 1});
-    FrameOptions options = frame_options(settings, side);
-    save_time(options, economy_, size_);
-    options.steady = options.steady && moving_; // at rest frames are not averaged
-    options.profile = profile && side == 0;
-    Renderer& renderer = economy_ == Economy::details ? *sketch_ : *renderer_;
-    const FrameStats stats = renderer.draw(camera, options, canvas->framebuffer());
-    if (side == 0) stats_ = stats;
-    if (options.profile) ++timings_due_;
-}
-
-/// Draws the first side by `exact`, unless something happens before it is done.
-void Session::draw_refined(const Camera& camera) {
-    const auto start = std::chrono::steady_clock::now();
-    gl::Canvas& canvas = *canvases_[0];
-    FrameOptions options = frame_options(settings, 0);
-    options.method = Method::exact;
-    options.steady = false;
-    const auto clear = [&](const PictureTile&) { canvas.clear({settings.style.paper.color, 1}); };
-    try {
-        stats_ = renderer_->draw_tiles(
-            camera, options,
-            {.framebuffer = canvas.framebuffer(),
-             .tile_size = std::max(size_.x, size_.y),
-             .begin = clear,
-             .end = [](const PictureTile&) {},
-             .progress = [&](float) { return !interrupted || !interrupted(); }});
-        refine_seconds_ =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    } catch (const Cancelled&) {
-        refined_ = false;
-    }
-}
-
-void Session::draw() {
-    moving_ = drawn_view_ && !same(*drawn_view_, navigation.view());
-    const bool rests = std::exchange(refine_due_, false) && !moving_ && !stale_;
-    refined_ = rests && is_refined(settings);
-    tells_pace_ = !rests;
-    stale_ = false;
-    drawn_view_ = navigation.view();
-    const bool has_sketch = sketch_ != nullptr && sketched_;
-    const Economy suits = pace_.choose(frame_options(settings, 0), has_sketch);
-    economy_ = moving_ ? suits : Economy::none;
-    if (rests && sketch_due() && !attempt([&] { renew_sketch(); })) sketch_.reset();
-    attempt([&] {
-        if (rests && !refined_) return; // the picture stays
-        const Camera seen =
-            make_camera(navigation.view(), size_of_pictures(), model_->lines.bounds);
-        if (refined_) return draw_refined(seen);
-        if (settings.split) draw_side(1, seen);
-        draw_side(0, seen);
-    });
-    if (!settings.split) canvases_[1].reset();
-    ++frames_drawn_;
-}
-
 bool Session::take_timings() {
-    if (timings_due_ == 0) return false;
-    std::vector<FrameProfile> frames = renderer_->take_profiles(false);
-    if (sketch_ != nullptr)
-        std::ranges::move(sketch_->take_profiles(false), std::back_inserter(frames));
+    if (timings_due_ == 0 || drawing()) return false;
+    std::vector<FrameProfile> frames;
+    drawing_.run([&] {
+        frames = renderer_->take_profiles(false);
+        if (sketch_ != nullptr)
+            std::ranges::move(sketch_->take_profiles(false), std::back_inserter(frames));
+    });
     for (const FrameProfile& frame : frames) timings_due_ -= 1 + static_cast<int>(frame.dropped);
     timings_due_ = std::max(timings_due_, 0);
     timings.add(frames);

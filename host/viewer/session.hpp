@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <chrono>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -8,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing_thread.hpp"
 #include "economy.hpp"
 #include "exporting.hpp"
 #include "files.hpp"
@@ -33,9 +37,11 @@ bool same(const View& a, const View& b);
 /// a failure, and nothing has changed then.
 class Session {
   public:
-    /// Needs a current GL context, which stays current. `wake`: see Loader. The writer must outlive
-    /// the session.
-    Session(const DeviceOptions& device, ImageWriter& writer, std::function<void()> wake);
+    /// `context`: the GL context of its drawing thread. Other threads call `wake` when there is
+    /// something new to show. The context and the writer must outlive the session.
+    Session(const DeviceOptions& device, ImageWriter& writer, SharedContext& context,
+            std::function<void()> wake);
+    ~Session();
 
     Settings settings;
     Navigation navigation;
@@ -108,7 +114,8 @@ class Session {
     void use_style(const std::string& name);
     void use_device(const DeviceOptions& device);
     const DeviceOptions& device() const { return device_; }
-    std::string device_description() const; ///< with a line about anything unexpected
+    /// With a line of what is not as one may expect.
+    const std::string& device_description() const { return description_; }
 
     void glide_to(StandardView view);
     void look_from(glm::vec3 direction); ///< a unit vector from the model to the eye
@@ -184,34 +191,38 @@ class Session {
     void advance(double seconds);
     /// Whether draw() has something to do.
     bool stale() const;
+    /// Begins the next picture. take_picture() shows it.
     void draw();
+    /// Whether a picture is being drawn.
+    bool drawing() const { return picture_ != nullptr; }
+    /// Waits at most `longest` for the picture that is being drawn. Shows it if it is done, and
+    /// returns whether it was.
+    bool take_picture(std::chrono::milliseconds longest = std::chrono::milliseconds{0});
     /// Whether the picture is at rest and could become exact.
     bool can_refine() const;
     /// Makes the next picture exact, unless something moves or changes before.
     void refine() { refine_due_ = true; }
-    bool refining() const { return refine_due_; }
-    /// Whether an exact picture may take so long that people should be told.
-    bool refines_slowly() const { return refine_seconds_ > 0.3; }
-    /// Asked repeatedly while an exact picture is drawn. If it returns true, the picture stays as
-    /// it was. May be empty.
-    std::function<bool()> interrupted{};
+    bool refining() const;
     /// Whether the picture that is shown is drawn by `exact` in place of the segment atlas.
-    bool refined() const { return refined_; }
-    /// Notes how long the last picture took until it was shown, which decides what the next ones of
-    /// a movement leave out.
+    bool refined() const { return shown_.refined; }
+    /// How long a picture took: what the next ones of a movement leave out.
     void note_duration(double seconds);
-    /// The step of economy of the picture that is shown.
-    Economy economy() const { return economy_; }
-    /// The size of the pictures that are shown. It is smaller than the window's part if pixels are
-    /// left out.
-    glm::ivec2 size_of_pictures() const;
+    /// What gave way in the picture that is shown.
+    Economy economy() const { return shown_.economy; }
+    /// Where the picture that is shown belongs in the present view, in pixels of the canvas from
+    /// its lower left corner. It is moved and scaled as the target of the camera is.
+    struct Placement {
+        glm::dvec2 low, high;
+        bool moved; ///< false: it fills the canvas
+    };
+    Placement placement() const;
     /// Adds the timings that have arrived to `timings`. Returns whether there were any.
     bool take_timings();
     /// Whether timings of frames that were drawn have not arrived yet.
     bool timings_due() const { return timings_due_ > 0; }
     /// The picture of a side; null before the first.
-    const gl::Canvas* picture(std::size_t side) const { return canvases_.at(side).get(); }
-    const FrameStats& stats() const { return stats_; }
+    const gl::Canvas* picture(std::size_t side) const { return shown_.canvases.at(side).get(); }
+    const FrameStats& stats() const { return shown_.stats; }
     std::uint64_t frames_drawn() const { return frames_drawn_; }
 
   private:
@@ -231,14 +242,42 @@ class Session {
     void open_camera(const std::filesystem::path& file);
     std::optional<View> take_first_camera();
     void load_pens(const Style& style);
-    void draw_side(std::size_t side, const Camera& camera);
-    void draw_refined(const Camera& camera);
+    using Canvases = std::array<std::unique_ptr<gl::Canvas>, 2>;
+    /// A picture with everything that the drawing thread needs. It is the thread's until it is
+    /// done.
+    struct Picture {
+        View view{};
+        glm::ivec2 window{0}; ///< pixels of the canvas that it is drawn for
+        Camera camera{};
+        std::array<FrameOptions, 2> options{}; ///< of its sides
+        bool split = false;                    ///< there are two
+        Economy economy = Economy::none;
+        bool refined = false;
+        bool stays = false;             ///< nothing is drawn: what there is stays
+        bool tells_pace = false;        ///< it is drawn as those of a movement are
+        std::optional<Camera> sketch{}; ///< from where one is to be made
+        std::shared_ptr<const Model> model{};
+        Canvases canvases{};
+        FrameStats stats{};
+        double seconds = 0; ///< that it took
+        std::string description{};
+        std::exception_ptr failure{};
+        bool interrupted = false;
+    };
+    void draw_picture(Picture& picture);
+    void draw_side(Picture& picture, std::size_t side);
+    void draw_refined(Picture& picture);
     bool sketch_due() const;
-    void renew_sketch();
+    void renew_sketch(const Picture& picture);
+    void make_renderer();
+    void renew_renderer();
     bool attempt(const std::function<void()>& action);
+    std::string describe_device() const;
 
     ImageWriter& writer_;
     DeviceOptions device_;
+    DrawingThread drawing_;
+    // The thread's own, as what they made is:
     std::unique_ptr<Renderer> renderer_;
     /// Draws only long lines, for movements. Made when a large model needs it.
     std::unique_ptr<Renderer> sketch_;
@@ -254,8 +293,11 @@ class Session {
     std::optional<AwaitedSession> awaited_session_; ///< likewise
     std::filesystem::path session_path_;
     glm::ivec2 size_{0, 0};
-    std::array<std::unique_ptr<gl::Canvas>, 2> canvases_;
-    FrameStats stats_;
+    Picture shown_;
+    std::unique_ptr<Picture> picture_;  ///< that is being drawn
+    Canvases spare_;                    ///< of the picture before, for the next one
+    std::atomic<bool> outdated_{false}; ///< the picture that is being drawn; it may stop
+    std::string description_;           ///< of the device, when a picture was drawn last
     std::filesystem::path first_camera_;
     using WriteTimes = std::vector<std::filesystem::file_time_type>;
     WriteTimes read_times_{}, looked_times_{}; ///< of the model's files
@@ -265,10 +307,8 @@ class Session {
     bool keeps_view_ = false; ///< for the model that is being loaded
     History<Settings, same> steps_;
     History<View, same> views_;
-    /// The last picture was part of a movement and averaged with the one before.
-    bool moving_ = false;
-    Economy economy_ = Economy::none; ///< of the last picture
-    Pace pace_;                       ///< of this model
+    bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
+    Pace pace_;           ///< of this model
     std::optional<Recording> recording_;
     /// What a preview was made of.
     struct Previewed {
@@ -280,17 +320,15 @@ class Session {
     };
     static bool shows_same(const Previewed& a, const Previewed& b);
     ExportedDrawing exported() const;
+    void make_preview();
     std::optional<Previewed> preview_wanted_, preview_drawn_;
     Preview preview_;
     std::uint64_t revision_ = 0; ///< of settings and model
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
-    bool refine_due_ = false, refined_ = false;
-    bool tells_pace_ = true; ///< the last picture was drawn as in a movement
-    static constexpr double unknown_seconds = 1;
-    double refine_seconds_ = unknown_seconds; ///< time of the last exact picture of this model
-    double wanted_rest_ = 0;                  ///< seconds since `settings.shown` was changed
-    Shown wanted_{};                          ///< settings.shown at that time
+    bool refine_due_ = false;
+    double wanted_rest_ = 0; ///< seconds since what is to be shown was changed
+    Shown wanted_{};         ///< as it was then
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

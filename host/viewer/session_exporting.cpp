@@ -19,7 +19,7 @@ ExportedDrawing Session::exported() const {
 bool Session::export_to(const std::filesystem::path& path, const ExportOptions& options) {
     if (model_ == nullptr) return false;
     return attempt([&] {
-        save(options, exported(), path, *renderer_, writer_);
+        drawing_.run([&] { save(options, exported(), path, *renderer_, writer_); });
         messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame is not that of the window any more
     });
@@ -42,6 +42,12 @@ bool Session::preview_due() const {
 
 void Session::draw_preview() {
     preview_drawn_ = preview_wanted_;
+    drawing_.run([&] { make_preview(); });
+    stale_ = true; // the renderer's last frame was another one
+}
+
+/// On the drawing thread.
+void Session::make_preview() {
     preview_ = {};
     try {
         preview_.page = lay_out(preview_wanted_->options, exported());
@@ -68,10 +74,10 @@ void Session::draw_preview() {
             renderer_->draw(camera, options, canvas->framebuffer());
             preview_.pictures.push_back(std::move(canvas));
         }
+        glFinish(); // after it the window's context sees the pictures
     } catch (const std::exception& error) {
         preview_ = {.problem = in_words_of_the_tool(error.what())};
     }
-    stale_ = true; // the renderer's last frame is not that of the window any more
 }
 
 } // namespace lineatlas::viewer

@@ -28,8 +28,10 @@ std::optional<std::filesystem::path> Session::record_picture() {
     FrameOptions options = frame_options(settings, 0);
     options.steady = false;
     const bool drawn = attempt([&] {
-        save({.model = *model_, .view = recording_->view(), .size = size_, .options = options},
-             recording_->path(), *renderer_, writer_);
+        drawing_.run([&] {
+            save({.model = *model_, .view = recording_->view(), .size = size_, .options = options},
+                 recording_->path(), *renderer_, writer_);
+        });
     });
     changed(); // the renderer's last frame is not that of the window any more
     if (!drawn) {

@@ -41,9 +41,9 @@ class ViewerDriver {
         constexpr int most = 2000;
         for (int i = 0; i < most; ++i) {
             const std::uint64_t before = app_.frames_shown();
-            app_.step(session().loader.busy() ? 0.05 : 0);
-            const bool busy = session().loader.busy() || session().navigation.gliding() ||
-                              session().recording().has_value();
+            app_.step(session().loader.busy() || session().drawing() ? 0.05 : 0);
+            const bool busy = session().loader.busy() || session().drawing() ||
+                              session().navigation.gliding() || session().recording().has_value();
             if (!busy && app_.frames_shown() == before) return;
         }
         throw std::runtime_error{"the viewer does not come to rest"};

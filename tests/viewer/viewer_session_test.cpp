@@ -331,23 +331,6 @@ TEST_F(ViewerSession, ThePictureIsSaidToBecomeExactUntilItIs) {
         EXPECT_EQ(spot.find("becoming"), std::string::npos) << spot;
 }
 
-TEST_F(ViewerSession, WhatHappensMeanwhileKeepsAPictureFromBecomingExact) {
-    hand_.open_scene("house");
-    const auto sampled = picture();
-    int asked = 0;
-    session().interrupted = [&] { return ++asked == 3; };
-    session().settings.exact_at_rest = true;
-    session().changed();
-    for (int i = 0; i < 20 && asked < 3; ++i) app_.step(0);
-    ASSERT_EQ(asked, 3);
-    EXPECT_FALSE(session().refined());
-    EXPECT_EQ(picture(), sampled) << "as it was";
-    hand_.rest();
-    EXPECT_TRUE(session().refined()) << "the next time";
-    EXPECT_NE(picture(), sampled);
-    EXPECT_EQ(error(), "");
-}
-
 TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     const auto click = [&](glm::dvec3 corner) {
         // A place a few pixels within the face.

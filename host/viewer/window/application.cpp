@@ -35,10 +35,10 @@ Application::Gui::~Gui() {
 
 Application::Application(const ApplicationOptions& options, ImageWriter& writer)
     : options_(options), window_(options.size, "lineatlas"), gui_(window_.handle()),
-      session_(options.device, writer, Window::wake), ui_{session_}, mouse_(session_) {
+      session_(options.device, writer, window_.context(), Window::wake), ui_{session_},
+      mouse_(session_) {
     ui_.theme = options.theme.value_or(theme_of_desktop());
     window_.listen(&queue_);
-    session_.interrupted = [this] { return something_happens(); };
     show_soon();
 }
 
@@ -48,10 +48,9 @@ void Application::show_soon() {
     frames_due_ = frames_after_event;
 }
 
-/// Whether an event has come. Does nothing about it, because a picture is being drawn.
-bool Application::something_happens() {
-    Window::wait(0);
-    return !queue_.empty() || window_.should_close();
+/// Whether the picture of an older view is shown while a newer one is drawn.
+bool Application::shows_moved_picture() const {
+    return session_.drawing() && session_.placement().moved;
 }
 
 /// Whether a field has the keyboard, or has it from the next frame on.
@@ -109,11 +108,12 @@ bool Application::shows_preview() const {
 
 /// Seconds to wait for events. 0: do not wait. Below 0: wait without end.
 double Application::seconds_to_wait() const {
+    constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
+    if (session_.drawing() && frames_due_ == 0) return smooth;
     const bool at_work = frames_due_ > 0 || session_.stale() || session_.navigation.gliding() ||
                          session_.recording() || mouse_.flying() || ui_.later || shows_preview();
     if (at_work) return 0;
     if (const std::optional<double> seconds = seconds_to_refine()) return *seconds;
-    constexpr double smooth = 0.033, soon = 0.1, blinking = 0.4, looking = 1;
     if (session_.loader.busy()) return smooth;
     if (session_.messages.passing() || session_.timings_due()) return soon;
     if (ImGui::GetIO().WantTextInput) return blinking;
@@ -143,13 +143,9 @@ void Application::step(double longest_wait) {
     }
     if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0) {
         session_.refine();
-        if (session_.refines_slowly()) { // the current picture says so
-            make_frame();
-            paint();
-            window_.show_frame();
-        }
     }
-    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // that frame says so
+    if (ui_.later) frames_due_ = std::max(frames_due_, 1); // which says so
+    if (shows_moved_picture()) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0 && shows_preview()) {
         session_.draw_preview();
         show_soon();
@@ -175,6 +171,7 @@ void Application::advance() {
     const Model* model = session_.model();
     mouse_.advance(seconds, shift_);
     session_.advance(seconds);
+    if (session_.take_picture()) note_picture();
     if (!ImGui::IsAnyItemActive() && !mouse_.dragging() && !mouse_.flying()) session_.note_step();
     if (model != session_.model())
         window_.set_title(session_.model()->source.name() + " - lineatlas");
@@ -247,26 +244,23 @@ void Application::make_frame() {
 
 void Application::show_frame() {
     session_.resize(glm::ivec2{glm::round(canvas_area().size * pixels_per_point_)});
-    const auto start = std::chrono::steady_clock::now();
-    const bool drawn = session_.stale();
-    if (drawn) {
-        const auto status = [&] {
-            return std::tuple{session_.refining(), session_.refined(), session_.economy()};
-        };
-        const auto said = status();
+    if (session_.stale()) {
         session_.draw();
-        // The window must still say it.
-        if (status() != said) frames_due_ = std::max(frames_due_, 1);
-        if (session_.timings_due()) session_.take_timings();
+        show_soon(); // the status says how it is drawn
+        // A fast picture is shown at once. For a slow one the window does not wait.
+        constexpr std::chrono::milliseconds short_wait{20}, until_done = std::chrono::hours{1};
+        if (session_.take_picture(options_.scripted ? until_done : short_wait)) note_picture();
     }
     paint();
     window_.show_frame();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    if (drawn) {
-        drawn_ = std::chrono::steady_clock::now();
-        session_.note_duration(taken.count());
-    }
     ++frames_shown_;
+}
+
+/// A new picture is shown.
+void Application::note_picture() {
+    drawn_ = std::chrono::steady_clock::now();
+    frames_due_ = std::max(frames_due_, 1);
+    if (session_.timings_due()) session_.take_timings();
 }
 
 void Application::paint() const {
@@ -276,7 +270,7 @@ void Application::paint() const {
 
 /// Copies the pictures, whole or on either side of the slider, to the window's upper left corner.
 void Application::blit_pictures() const {
-    const glm::ivec2 window = window_.pixels(), drawn = session_.size_of_pictures();
+    const glm::ivec2 window = window_.pixels(), size = session_.size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window.x, window.y);
     glDisable(GL_SCISSOR_TEST);
@@ -284,22 +278,28 @@ void Application::blit_pictures() const {
     glClearColor(paper.x, paper.y, paper.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     const bool split = session_.settings.split && session_.picture(1) != nullptr;
-    const glm::ivec2 size = session_.size();
     const int border =
         split
             ? static_cast<int>(std::lround(session_.settings.split_at * static_cast<float>(size.x)))
             : size.x;
+    const Session::Placement place = session_.placement();
+    const glm::ivec2 canvas{0, window.y - size.y};
+    const glm::ivec2 low = canvas + glm::ivec2{glm::round(place.low)};
+    const glm::ivec2 high = canvas + glm::ivec2{glm::round(place.high)};
     const auto blit = [&](std::size_t side, int from, int to) {
         const gl::Canvas* picture = session_.picture(side);
-        if (picture == nullptr || from >= to || picture->size() != drawn) return;
-        const int low = window.y - size.y;
-        const auto column = [&](int x) { return x * drawn.x / size.x; };
-        glBlitNamedFramebuffer(picture->framebuffer(), 0, column(from), 0, column(to), drawn.y,
-                               from, low, to, window.y, GL_COLOR_BUFFER_BIT,
-                               drawn == size ? GL_NEAREST : GL_LINEAR);
+        if (picture == nullptr || from >= to) return;
+        glNamedFramebufferTexture(picture_.id(), GL_COLOR_ATTACHMENT0, picture->texture(), 0);
+        glScissor(from, canvas.y, to - from, size.y);
+        const glm::ivec2 drawn = picture->size();
+        glBlitNamedFramebuffer(picture_.id(), 0, 0, 0, drawn.x, drawn.y, low.x, low.y, high.x,
+                               high.y, GL_COLOR_BUFFER_BIT,
+                               drawn == high - low ? GL_NEAREST : GL_LINEAR);
     };
+    glEnable(GL_SCISSOR_TEST);
     blit(0, 0, border);
     blit(1, border, size.x);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 Image Application::screenshot() const {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "canvas_mouse.hpp"
+#include "glpasses/objects.hpp"
 #include "theme.hpp"
 #include "ui.hpp"
 #include "window.hpp"
@@ -70,6 +71,7 @@ class Application final : private InputListener {
     Area canvas_area() const;
     void make_frame();
     void show_frame();
+    void note_picture();
     void paint() const;
     void blit_pictures() const;
     void take_input();
@@ -80,7 +82,7 @@ class Application final : private InputListener {
     void press_key(int key, int mods);
     void press_escape();
     void show_soon();
-    bool something_happens();
+    bool shows_moved_picture() const;
 
     ApplicationOptions options_;
     InputQueue queue_; ///< outlives the window, which sends events to it
@@ -89,6 +91,7 @@ class Application final : private InputListener {
     Session session_;
     Ui ui_;
     CanvasMouse mouse_;
+    gl::Framebuffer picture_ = gl::Framebuffer::create(); ///< to read pictures of the other context
     static constexpr glm::dvec2 nowhere{-1e6};
     glm::dvec2 mouse_place_ = nowhere;
     std::array<bool, 5> buttons_{};

@@ -110,12 +110,36 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     }
     glfwSetWindowUserPointer(window_, this);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    context_.open(window_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     set_callbacks(window_);
 }
 
+void Window::OtherContext::open(GLFWwindow* beside) {
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    window_ = glfwCreateWindow(1, 1, "", nullptr, beside);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
+    if (window_ != nullptr) return;
+    const std::string cause = last_error();
+    glfwTerminate();
+    throw DeviceError("the viewer needs two OpenGL contexts that share" + cause);
+}
+
+void Window::OtherContext::close() {
+    glfwDestroyWindow(window_);
+}
+
+void Window::OtherContext::make_current() {
+    glfwMakeContextCurrent(window_);
+}
+
+void Window::OtherContext::release() {
+    glfwMakeContextCurrent(nullptr);
+}
+
 Window::~Window() {
+    context_.close();
     glfwDestroyWindow(window_);
     glfwTerminate();
 }

@@ -8,6 +8,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "viewer/drawing_thread.hpp"
+
 struct GLFWwindow;
 
 namespace lineatlas::viewer {
@@ -82,8 +84,23 @@ class Window {
     /// Waits for an event, at most `seconds`; below 0: without end.
     static void wait(double seconds);
     static void wake(); ///< ends wait(), from any thread
+    /// A context that shares with the window's, for another thread.
+    SharedContext& context() { return context_; }
 
   private:
+    /// A window that nobody sees has it.
+    class OtherContext final : public SharedContext {
+      public:
+        void open(GLFWwindow* beside);
+        void close();
+        void make_current() override;
+        void release() override;
+
+      private:
+        GLFWwindow* window_ = nullptr;
+    };
+
+    OtherContext context_;
     GLFWwindow* window_ = nullptr;
     InputListener* listener_ = nullptr;
 };

@@ -1,0 +1,197 @@
+// The window while a picture is being drawn, by a device whose kernels wait until they are let go.
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "compute/cpp/cpp_device.hpp"
+#include "lineatlas/compute_device.hpp"
+#include "viewer/drawing_thread.hpp"
+#include "viewer_support.hpp"
+
+namespace lineatlas::test {
+namespace {
+
+/// The device cpp, whose kernels wait while it is held.
+class HeldDevice final : public compute::Device {
+  public:
+    static std::atomic<bool> held;
+
+    std::string description() const override { return "held"; }
+    const compute::Tuning& tuning() const override { return device_->tuning(); }
+    std::unique_ptr<compute::Buffer> allocate(std::size_t bytes) override {
+        return device_->allocate(bytes);
+    }
+    std::unique_ptr<compute::Buffer> wrap(std::span<std::byte> memory) override {
+        return device_->wrap(memory);
+    }
+    void begin_host_access(compute::Buffer& buffer) override { device_->begin_host_access(buffer); }
+    void end_host_access(compute::Buffer& buffer) override { device_->end_host_access(buffer); }
+    void upload(compute::Buffer& buffer, std::span<const std::byte> data,
+                std::size_t offset) override {
+        device_->upload(buffer, data, offset);
+    }
+    void download(compute::Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
+        device_->download(buffer, data, offset);
+    }
+    void copy(compute::Buffer& from, compute::Buffer& to, std::size_t bytes) override {
+        device_->copy(from, to, bytes);
+    }
+    void clear(compute::Buffer& buffer, std::size_t bytes) override {
+        device_->clear(buffer, bytes);
+    }
+    void launch(const compute::Launch& launch) override {
+        while (held) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        device_->launch(launch);
+    }
+    void flush() override {}
+    void finish() override {}
+
+  private:
+    std::unique_ptr<compute::Device> device_ = compute::make_cpp_device();
+};
+std::atomic<bool> HeldDevice::held{false};
+
+std::unique_ptr<compute::Device> make_held_device(std::string_view) {
+    return std::make_unique<HeldDevice>();
+}
+
+class HeldViewer : public testing::Test {
+  protected:
+    HeldViewer() {
+        session().settings.exact_at_rest = false;
+        hand_.open_scene("house");
+        EXPECT_TRUE(session().messages.all().empty());
+    }
+    ~HeldViewer() override { HeldDevice::held = false; }
+    viewer::Session& session() { return app_.session(); }
+    std::vector<std::uint8_t> picture() { return session().picture(0)->read(); }
+    /// Steps until it is so.
+    template <class Is>
+    void step_until(const Is& is) {
+        constexpr int most = 20'000;
+        for (int i = 0; i < most && !is(); ++i) app_.step(0.01);
+        EXPECT_TRUE(is());
+    }
+    /// The view is another one, of which a picture is being drawn until it is let go.
+    void orbit_and_hold() {
+        HeldDevice::held = true;
+        session().navigation.orbit({0, 0, 0}, {0.2, 0.1});
+        step_until([&] { return session().drawing(); });
+    }
+    static bool registered() {
+        static const bool once = [] {
+            compute::register_device({"held", "cpp, held", make_held_device});
+            return true;
+        }();
+        return once;
+    }
+
+    bool registered_ = registered();
+    ImageWriter writer_;
+    viewer::Application app_{{.size = {1280, 800}, .device = {.compute = "held"}, .scale = 1},
+                             writer_};
+    ViewerDriver hand_{app_};
+};
+
+TEST_F(HeldViewer, TheWindowAnswersWhileAPictureIsDrawn) {
+    const auto before = picture();
+    orbit_and_hold();
+    EXPECT_EQ(picture(), before) << "the last one stays in sight";
+    EXPECT_TRUE(session().placement().moved);
+    const bool sidebar = app_.ui().sidebar;
+    app_.input().on_key(GLFW_KEY_TAB, 0, GLFW_PRESS, 0);
+    app_.input().on_key(GLFW_KEY_TAB, 0, GLFW_RELEASE, 0);
+    const std::uint64_t shown = app_.frames_shown(), drawn = session().frames_drawn();
+    app_.step(0);
+    EXPECT_NE(app_.ui().sidebar, sidebar) << "keys are heard";
+    EXPECT_GT(app_.frames_shown(), shown);
+    EXPECT_EQ(session().frames_drawn(), drawn);
+    EXPECT_TRUE(session().drawing());
+    HeldDevice::held = false;
+    hand_.rest();
+    EXPECT_FALSE(session().placement().moved);
+    EXPECT_NE(picture(), before);
+}
+
+TEST_F(HeldViewer, WhatMovesMeanwhileKeepsAPictureFromBecomingExact) {
+    session().settings.exact_at_rest = true;
+    session().changed();
+    step_until([&] {
+        HeldDevice::held = session().refining();
+        return session().drawing() && session().refining();
+    });
+    const auto sampled = picture();
+    session().navigation.orbit({0, 0, 0}, {0.01, 0});
+    app_.step(0);
+    HeldDevice::held = false;
+    step_until([&] { return !session().refining(); });
+    EXPECT_FALSE(session().refined());
+    EXPECT_EQ(picture(), sampled) << "as it was";
+    step_until([&] { return session().refined(); });
+    EXPECT_NE(picture(), sampled);
+}
+
+TEST_F(HeldViewer, WhatNeedsTheDeviceWaitsForThePicture) {
+    orbit_and_hold();
+    std::thread{[] {
+        std::this_thread::sleep_for(std::chrono::milliseconds{50});
+        HeldDevice::held = false;
+    }}.detach();
+    session().use_device({.compute = "cpp"});
+    EXPECT_FALSE(HeldDevice::held);
+    EXPECT_EQ(session().device().compute, "cpp");
+    hand_.rest();
+    const auto after = picture();
+    session().changed();
+    hand_.rest();
+    EXPECT_EQ(picture(), after);
+    EXPECT_TRUE(session().messages.all().empty());
+}
+
+TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
+    orbit_and_hold();
+    app_.window().close();
+    app_.run();
+    EXPECT_TRUE(session().drawing()); // ~HeldViewer() lets it go
+}
+
+/// A context that there is not.
+struct NoContext final : viewer::SharedContext {
+    void make_current() override {}
+    void release() override {}
+};
+
+TEST(DrawingThread, DoesOneThingAfterTheOther) {
+    NoContext context;
+    std::atomic<int> woken{0}, done{0};
+    viewer::DrawingThread thread{context, [&] { ++woken; }};
+    EXPECT_FALSE(thread.busy());
+    for (int i = 0; i < 100; ++i) thread.start([&, i] { EXPECT_EQ(done++, i); });
+    int seen = 0;
+    thread.run([&] { seen = done; });
+    EXPECT_EQ(seen, 100);
+    EXPECT_EQ(woken, 100);
+    EXPECT_THROW(thread.run([] { throw std::runtime_error{"no"}; }), std::runtime_error);
+    thread.run([&] { seen = 0; });
+    EXPECT_EQ(seen, 0);
+}
+
+TEST(DrawingThread, WaitsAsLongAsItIsTold) {
+    NoContext context;
+    viewer::DrawingThread thread{context, [] {}};
+    std::atomic<bool> ends{false};
+    thread.start([&] {
+        while (!ends) std::this_thread::yield();
+    });
+    EXPECT_FALSE(thread.wait_for(std::chrono::milliseconds{1}));
+    EXPECT_TRUE(thread.busy());
+    ends = true;
+    thread.wait();
+    EXPECT_TRUE(thread.wait_for(std::chrono::milliseconds{0}));
+}
+
+} // namespace
+} // namespace lineatlas::test
