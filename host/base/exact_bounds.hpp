@@ -34,7 +34,7 @@ bool is_finite(glm::dvec3 position);
 bool is_drawable(glm::dvec3 position);
 
 /// What to take off positions in the box so that floats can hold what is left: zero where it lies
-/// within a thousand times its size from zero, else near its middle. Chosen so that nothing is
+/// within thirty times its size from zero, else near its middle. Chosen so that nothing is
 /// rounded when it is taken off positions that were floats.
 glm::dvec3 origin_for(const ExactBounds& bounds);
 
