@@ -29,6 +29,8 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -157,6 +159,23 @@ TEST_F(RoundThings, ASphereIsOneClosedCurve) {
         ASSERT_EQ(paths.size(), 1U);
         EXPECT_TRUE(paths[0].closed);
     });
+}
+
+// Its silhouette then goes through both poles, where all meridians meet.
+TEST_F(RoundThings, ASphereSeenAcrossItsAxisIsOneCircle) {
+    constexpr double radius = 10;
+    for (const gp_Dir& axis : {gp::DZ(), gp::DX()}) {
+        const TopoDS_Shape sphere =
+            BRepPrimAPI_MakeSphere(gp_Ax2{gp_Pnt{3, -2, 5}, axis}, radius).Shape();
+        for (const char* direction : {"front", "back", "left", "right", "top", "30,0", "77,0"}) {
+            SCOPED_TRACE(direction);
+            const VectorDrawing drawn = drawing("a.brep", to_brep(sphere), direction, {1024, 768},
+                                                Projection::orthographic);
+            const std::vector<double> radii = circles(drawn, scale_of(view_, 768));
+            ASSERT_EQ(radii.size(), 1U);
+            EXPECT_NEAR(radii[0], radius, 1e-3);
+        }
+    }
 }
 
 TEST_F(RoundThings, ATallCylinderHasTwoStraightLines) {
