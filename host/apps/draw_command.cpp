@@ -311,7 +311,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
     if (arguments.view.is_sheet()) return draw_sheet(arguments, app);
-    const glm::ivec2 size = parse_size("--size", arguments.size);
+    const glm::ivec2 size = picture_size(arguments);
     const bool by_paths = is_path_file(arguments.output);
     const Style given = arguments.style.style();
     const Style style = by_paths ? arguments.paths.on_paper(given, size) : given;
@@ -410,7 +410,10 @@ Command setup_draw(CLI::App& app) {
     a.explode.declare(app, model);
 
     const std::string camera = "Camera (by default it frames the whole model)";
-    app.add_option("--size", a.size, "Picture size in pixels")
+    app.add_option(
+           "--size", a.size,
+           "Picture size in pixels; unless it is given, paths to scale have a multiple of it on "
+           "paper larger than A4")
         ->capture_default_str()
         ->group(camera);
     a.view.declare(app, camera);

@@ -1,6 +1,7 @@
 #include "subject.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -32,6 +33,27 @@ Silhouettes silhouettes(const DrawArguments& arguments) {
 
 std::optional<float> crease_angle(const DrawArguments& arguments) {
     return parse_crease("--crease", arguments.crease);
+}
+
+double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size) {
+    if (is_path_file(arguments.output)) {
+        const SvgOptions svg = arguments.paths.svg();
+        return length_in({lay_out(size, svg).scale, svg.units}, Unit::mm);
+    }
+    const auto dpi = static_cast<double>(arguments.picture.settings().dpi);
+    if (dpi == 0) throw UsageError("--scale: a picture of pixels needs --dpi");
+    return length_in({1 / dpi, Unit::in}, Unit::mm);
+}
+
+glm::ivec2 picture_size(const DrawArguments& arguments) {
+    const glm::ivec2 size = parse_size("--size", arguments.size);
+    if (arguments.size != DrawArguments{}.size || !arguments.view.to_scale() ||
+        !is_path_file(arguments.output))
+        return size;
+    constexpr double coarsest = 0.3; // millimetres to a pixel; A4 has 0.27
+    constexpr double most_times = 16;
+    const double times = std::ceil(millimetres_per_pixel(arguments, size) / coarsest);
+    return size * static_cast<int>(std::clamp(times, 1.0, most_times));
 }
 
 namespace {
@@ -168,17 +190,6 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                                                          : std::span<const glm::vec3>{points},
                               size, up);
     return subject;
-}
-
-/// Millimetres of paper per pixel of the picture. Throws UsageError if no option tells them.
-double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size) {
-    if (is_path_file(arguments.output)) {
-        const SvgOptions svg = arguments.paths.svg();
-        return length_in({lay_out(size, svg).scale, svg.units}, Unit::mm);
-    }
-    const auto dpi = static_cast<double>(arguments.picture.settings().dpi);
-    if (dpi == 0) throw UsageError("--scale: a picture of pixels needs --dpi");
-    return length_in({1 / dpi, Unit::in}, Unit::mm);
 }
 
 void apply_camera(const DrawArguments& arguments, Subject& subject, glm::ivec2 size) {

@@ -41,6 +41,13 @@ struct SheetSubject {
     SheetLayout layout;
 };
 
+/// Millimetres of paper that a pixel of the picture takes. Throws UsageError when nothing says so.
+double millimetres_per_pixel(const DrawArguments& arguments, glm::ivec2 size);
+
+/// The picture's size in pixels. Unless it is given, a drawing to scale has more where they would
+/// be coarse on paper: lines a quarter of a pixel from each other are drawn as one.
+glm::ivec2 picture_size(const DrawArguments& arguments);
+
 /// Reads the model or makes the scene, cuts it, finds its lines and places the camera. Curved faces
 /// are as fine as the pictures need: the model is read again if a picture turns out to show it from
 /// nearer than as a whole.

@@ -28,7 +28,7 @@ bool is_drawable(glm::dvec3 position) {
 }
 
 glm::dvec3 origin_for(const ExactBounds& bounds) {
-    constexpr double far = 1000;
+    constexpr double far = 30;
     const double extent = bounds.extent();
     glm::dvec3 origin{0};
     if (!(extent > 0)) return origin;

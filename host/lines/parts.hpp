@@ -27,8 +27,9 @@ std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<M
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts);
 
-/// Turns the triangles of closed parts that look inwards, and their edges, whose direction follows
-/// the winding.
+/// Turns the triangles of parts that would be solids but for looking inwards, and their edges,
+/// which run in their winding. So it does with bodies that abut, as walls do, if all of them look
+/// inwards.
 void turn_outwards(WeldedMesh& mesh, std::vector<MeshEdge>& edges, const MeshParts& parts);
 
 } // namespace lineatlas

@@ -105,12 +105,22 @@ class Sectioner {
             high = std::max(high, at);
         }
         const std::string name = name_of(plane);
+        const bool touches = std::abs(low) <= rounding_; // all of it lies on the side cut away
         for (int axis = 0; axis < 3; ++axis) {
             if (std::abs(frame.normal[axis]) != 1) continue;
-            throw UsageError(
-                fmt::format("section {} misses the model, which goes from {}={:g} to {:g}", name,
-                            "xyz"[axis], bounds_.min[axis], bounds_.max[axis]));
+            const std::string extent = fmt::format("which goes from {}={:g} to {:g}", "xyz"[axis],
+                                                   bounds_.min[axis], bounds_.max[axis]);
+            if (!touches)
+                throw UsageError(fmt::format("section {} misses the model, {}", name, extent));
+            throw UsageError(fmt::format("section {} cuts away all of the model, {}; {}{}={:g} "
+                                         "keeps it",
+                                         name, extent, frame.normal[axis] > 0 ? '-' : '+',
+                                         "xyz"[axis], plane.point[axis]));
         }
+        if (touches)
+            throw UsageError(fmt::format("section {} cuts away all of the model; the opposite "
+                                         "normal keeps it",
+                                         name));
         throw UsageError(
             fmt::format("section {} misses the model, which lies from {:g} to {:g} along "
                         "its normal, seen from its point",

@@ -98,11 +98,14 @@ class SeenSurface {
     /// The parameters of a tip, for a way that comes from `other`.
     glm::dvec2 tip_towards(glm::dvec2 tip, glm::dvec2 other) const {
         const SurfacePoint point = evaluate(shape_, tip);
-        if (glm::dot(point.u, point.u) <= glm::dot(point.v, point.v))
-            tip.x = other.x;
-        else
-            tip.y = other.y;
-        return tip;
+        return glm::dot(point.u, point.u) <= glm::dot(point.v, point.v)
+                   ? glm::dvec2{other.x, tip.y}
+                   : glm::dvec2{tip.x, other.y};
+    }
+
+    /// The parameters of a place, where it is a pole as tip_towards().
+    glm::dvec2 pole_towards(glm::dvec2 at, glm::dvec2 other) const {
+        return is_pole(evaluate(shape_, at)) ? tip_towards(at, other) : at;
     }
 
   private:
@@ -118,11 +121,16 @@ class SeenSurface {
         return glm::dvec2{vv * change.x - uv * change.y, uu * change.y - uv * change.x} / area;
     }
 
-    /// The sign of radial curvature: how the front turns to the eye along the way to the eye
-    /// (Koenderink 1984). 0 so near a pole that parameters do not tell.
-    double radial(const SurfacePoint& point) const {
+    /// Whether one parameter moves the place by next to nothing: all its values mean one place.
+    static bool is_pole(const SurfacePoint& point) {
         const double u = glm::length(point.u), v = glm::length(point.v);
-        if (std::min(u, v) < least_ratio * std::max(u, v)) return 0;
+        return std::min(u, v) < least_ratio * std::max(u, v);
+    }
+
+    /// How the front turns to the eye along the way to it (Koenderink 1984); 0 so near a pole that
+    /// parameters do not tell.
+    double radial(const SurfacePoint& point) const {
+        if (is_pole(point)) return 0;
         const glm::dvec3 to_eye = way_to_eye(point.at);
         const glm::dvec2 way = along(point, {glm::dot(point.u, to_eye), glm::dot(point.v, to_eye)});
         return sign_ * (way.x * glm::dot(point.normal_u, to_eye) +
@@ -282,15 +290,17 @@ class ContourTracer::Frame {
                             double lift, glm::dvec2& at) {
         const std::uint32_t edge = tracer_.faces_[face].edges[static_cast<int>(k)];
         const bool turned = (edge & LA_CONTOUR_TURNED) != 0;
-        // Both faces go along the edge in one direction, so they find the same place bit by bit.
-        glm::dvec2 a = parameters(face, k), b = parameters(face, (k + 1) % 3);
+        // Both faces look along it in one direction, and find the same place bit by bit.
+        const SeenSurface& surface = surface_of(face);
+        const glm::dvec2 first = parameters(face, k), second = parameters(face, (k + 1) % 3);
+        // From a pole the edge goes along its other end's meridian, whichever the pole's own is.
+        glm::dvec2 a = surface.pole_towards(first, second), b = surface.pole_towards(second, first);
         if (turned) {
             std::swap(a, b);
             std::swap(eye[0], eye[1]);
         }
         std::uint32_t& known = node_of_edge_[edge & ~LA_CONTOUR_TURNED];
         if (known == none) {
-            const SeenSurface& surface = surface_of(face);
             Node node;
             node.share = root_between(eye[0], eye[1],
                                       [&](double t) { return surface.facing(a + (b - a) * t); });

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -75,6 +77,44 @@ TEST_F(HostileInputs, AModelFarFromZeroIsDrawnAsNearIt) {
         expect_same(draw("near" + type.extension), draw("far" + type.extension, note), type.name);
         expect_same(draw("near" + type.extension, "", view),
                     draw("far" + type.extension, note, far_view), type.name);
+    }
+}
+
+/// By a rotation of few digits that leaves no edge along an axis.
+Model tilted(Model model) {
+    for (auto& [x, y, z] : model.points)
+        std::tie(x, y, z) = std::tuple{(2 * x + 3 * y + 6 * z) / 7, (3 * x - 6 * y + 2 * z) / 7,
+                                       (6 * x + 2 * y - 3 * z) / 7};
+    return model;
+}
+
+/// An open tube stands on a cube: its lower rim lies in the cube's upper face.
+Model tube_on_cube() {
+    Model model = block_on_cube();
+    model.points.resize(8);
+    model.faces.resize(6);
+    const int sides = 24;
+    for (int side = 0; side < sides; ++side) {
+        const double angle = 2 * std::numbers::pi * side / sides;
+        const double x = 0.5 + 0.3 * std::cos(angle), z = 0.5 + 0.3 * std::sin(angle);
+        model.points.push_back({x, 1, z});
+        model.points.push_back({x, 1.25, z});
+        const int here = 8 + 2 * side, next = 8 + 2 * ((side + 1) % sides);
+        model.faces.push_back({here, here + 1, next + 1, next});
+    }
+    return model;
+}
+
+TEST_F(HostileInputs, WhatTouchesDoesSoAwayFromZero) {
+    const Model model = tilted(tube_on_cube());
+    for (const MeshType& type : mesh_types()) {
+        if (!type.exact) continue;
+        write("near" + type.extension, type.write(model, {}));
+        write("far" + type.extension, type.write(model.moved(1, {300.3, -250.7, 400.9}), {}));
+        expect_same(draw("near" + type.extension, "", "--up y"),
+                    draw("far" + type.extension,
+                         "far from zero for its size, drawn about 302,-250,402", "--up y"),
+                    type.name);
     }
 }
 

@@ -1,4 +1,6 @@
-// Views for measuring: projections, named sides, drawings to scale, and the direction upwards.
+// Views that measure: projections, sides by their names, drawings to scale, which way is up.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 
@@ -15,14 +17,15 @@ class Views : public Tool {
         write("tower.obj", box(10, 10, 100) + box(60, 60, 1, 8));
     }
 
-    /// A box from the origin. first: the number of vertices before it.
-    static std::string box(int x, int y, int z, int first = 0) {
+    /// `first`: vertices before it; `from`: its lowest corner.
+    static std::string box(int x, int y, int z, int first = 0, std::array<int, 3> from = {}) {
         std::string text;
         for (int corner = 0; corner < 8; ++corner) {
-            const auto at = [&](int bit, int size) {
-                return std::to_string((corner & bit) != 0 ? size : 0).append(" ");
+            const auto at = [&](int axis, int size) {
+                const bool is_far = (corner >> axis & 1) != 0;
+                return std::to_string(from.at(axis) + (is_far ? size : 0)).append(" ");
             };
-            text.append("v ").append(at(1, x)).append(at(2, y)).append(at(4, z)).append("\n");
+            text.append("v ").append(at(0, x)).append(at(1, y)).append(at(2, z)).append("\n");
         }
         for (const auto& side : {std::array{1, 3, 4, 2},
                                  {5, 6, 8, 7},
@@ -71,6 +74,24 @@ TEST_F(Views, AMillimetreOfTheModelIsAMillimetreOnPaper) {
                   .exit_code,
               0);
     for (const double edge : lengths("x.svg")) EXPECT_NEAR(edge, 50.8, 0.005);
+}
+
+TEST_F(Views, LinesAFifthOfAMillimetreApartAreTwoOnAnyPage) {
+    write("step.obj", box(250, 250, 50) + box(150, 1, 30, 8, {50, 250, 10}));
+    std::vector<double> of_first;
+    for (const char* page : {"a4", "a2", "a0", "1000x900mm"}) {
+        run("draw " + path("step.obj") + " -o " + path("x.svg") +
+            " --view front --up y --scale 1:5 --compute cpp --page " + page);
+        std::vector<double> found = lengths("x.svg");
+        std::ranges::sort(found);
+        if (of_first.empty()) of_first = found;
+        ASSERT_EQ(found.size(), 9U) << page;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_NEAR(found[i], of_first[i], 0.005) << page;
+    }
+    EXPECT_NEAR(of_first[0], 0.2, 0.005);
+    EXPECT_NEAR(of_first[4], 30, 0.005);
+    EXPECT_NEAR(of_first[5], 30, 0.005);
 }
 
 TEST_F(Views, IsometricEdgesAreEqual) {

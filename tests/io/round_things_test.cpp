@@ -29,6 +29,8 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
@@ -158,6 +160,23 @@ TEST_F(RoundThings, ASphereIsOneClosedCurve) {
         ASSERT_EQ(paths.size(), 1U);
         EXPECT_TRUE(paths[0].closed);
     });
+}
+
+// Its silhouette then goes through both poles, where all meridians meet.
+TEST_F(RoundThings, ASphereSeenAcrossItsAxisIsOneCircle) {
+    constexpr double radius = 10;
+    for (const gp_Dir& axis : {gp::DZ(), gp::DX()}) {
+        const TopoDS_Shape sphere =
+            BRepPrimAPI_MakeSphere(gp_Ax2{gp_Pnt{3, -2, 5}, axis}, radius).Shape();
+        for (const char* direction : {"front", "back", "left", "right", "top", "30,0", "77,0"}) {
+            SCOPED_TRACE(direction);
+            const VectorDrawing drawn = drawing("a.brep", to_brep(sphere), direction, {1024, 768},
+                                                Projection::orthographic);
+            const std::vector<double> radii = circles(drawn, scale_of(view_, 768));
+            ASSERT_EQ(radii.size(), 1U);
+            EXPECT_NEAR(radii[0], radius, 1e-3);
+        }
+    }
 }
 
 TEST_F(RoundThings, ATallCylinderHasTwoStraightLines) {
@@ -444,6 +463,49 @@ TEST_F(RoundThings, TagsNameEntities) {
     for (std::size_t at = dxf.find(data); at != std::string::npos; at = dxf.find(data, at + 1))
         ++named;
     EXPECT_EQ(named, pin.paths.size());
+}
+
+/// A solid of one degenerate torus about an axis along x through (1, 2, 3).
+std::string degenerate_torus(const std::string& select_outer) {
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+           "FILE_NAME('','',(''),(''),'','','');\n"
+           "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n"
+           "#1=APPLICATION_CONTEXT('automotive design');\n"
+           "#2=PRODUCT_CONTEXT('',#1,'mechanical');\n"
+           "#3=PRODUCT('part','part','',(#2));\n"
+           "#4=PRODUCT_DEFINITION_FORMATION('','',#3);\n"
+           "#5=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');\n"
+           "#6=PRODUCT_DEFINITION('design','',#4,#5);\n"
+           "#7=PRODUCT_DEFINITION_SHAPE('','',#6);\n"
+           "#8=SHAPE_DEFINITION_REPRESENTATION(#7,#9);\n"
+           "#9=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#20),#10);\n"
+           "#10=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#11,#12,#13))"
+           "REPRESENTATION_CONTEXT('',''));\n"
+           "#11=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));\n"
+           "#12=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"
+           "#13=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n"
+           "#20=MANIFOLD_SOLID_BREP('',#21);\n#21=CLOSED_SHELL('',(#22));\n"
+           "#22=ADVANCED_FACE('',(#23),#26,.T.);\n#23=FACE_BOUND('',#24,.T.);\n"
+           "#24=VERTEX_LOOP('',#25);\n#25=VERTEX_POINT('',#30);\n"
+           "#26=DEGENERATE_TOROIDAL_SURFACE('',#27,3.,5.," +
+           select_outer +
+           ");\n#27=AXIS2_PLACEMENT_3D('',#28,#29,$);\n"
+           "#28=CARTESIAN_POINT('',(1.,2.,3.));\n#29=DIRECTION('',(1.,0.,0.));\n"
+           "#30=CARTESIAN_POINT('',(5.,2.,3.));\nENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+TEST_F(RoundThings, ADegenerateTorusIsTheAppleOrTheLemon) {
+    struct Part {
+        const char* select_outer;
+        glm::vec3 half_size; ///< millimetres
+    };
+    for (const Part& part : {Part{".F.", {40, 20, 20}}, Part{".T.", {50, 80, 80}}}) {
+        SCOPED_TRACE(part.select_outer);
+        const Bounds box = bounds_of(load("a.step", degenerate_torus(part.select_outer)).mesh);
+        const glm::vec3 middle{10, 20, 30};
+        EXPECT_LT(glm::distance(box.min, middle - part.half_size), 0.1F);
+        EXPECT_LT(glm::distance(box.max, middle + part.half_size), 0.1F);
+    }
 }
 
 } // namespace

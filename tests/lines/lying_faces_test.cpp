@@ -144,6 +144,21 @@ TEST(LyingFaces, BodiesThatAbutAreOne) {
     EXPECT_EQ(tiles.segments.size(), tiles.kind_counts[LA_KIND_CREASE]);
 }
 
+TEST(LyingFaces, OfBodiesThatAllLookInwardsAreThoseOfBodiesThatDoNot) {
+    const Mesh right = boxes({{{0, 0, 0}, {2, 3, 1}, "brick"},
+                              {{2, 0, 0}, {5, 3, 1}, "brick"},
+                              {{2, 3, 0}, {5, 4, 1}, "stone"}});
+    Mesh turned = right;
+    for (glm::uvec3& t : turned.triangles) std::swap(t.y, t.z);
+    test::Random random{97};
+    for (int round = 0; round < 20; ++round) {
+        const glm::mat4 placed = random.placement(2);
+        const LineSet lines = extract_lines(test::moved(right, placed));
+        EXPECT_EQ(extract_lines(test::moved(turned, placed)).kind_counts, lines.kind_counts);
+        EXPECT_EQ(lines.kind_counts[LA_KIND_MATERIAL], 3U);
+    }
+}
+
 TEST(LyingFaces, WhereTwoPlacesAreOpenTheEdgeStays) {
     // Two that have an edge in common.
     const LineSet lines =

@@ -456,6 +456,11 @@ TEST(Sections, RefusesWhatCannotBe) {
     EXPECT_NE(cut_at({0, 0, 5}, {0, 0, -1}).find("misses"), std::string::npos);
     EXPECT_NE(cut_at({3, 3, 3}, {1, 1, 1}).find("misses the model, which lies from"),
               std::string::npos);
+    EXPECT_EQ(cut_at({0, 0, -1}, {0, 0, 1}), "section 0,0,-1/0,0,1 cuts away all of the model, "
+                                             "which goes from z=-1 to 1; -z=-1 keeps it");
+    EXPECT_NE(cut_at({0, 1, 0}, {0, -1, 0}).find("; +y=1 keeps it"), std::string::npos);
+    EXPECT_NE(cut_at({-1, -1, -1}, {1, 1, 1}).find("the opposite normal keeps it"),
+              std::string::npos);
     EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 0}).find("normal"), std::string::npos);
     EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 1}, {.spacing = -1}).find("spacing"), std::string::npos);
     EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 1}, {.spacing = 1e-9}).find("too near"), std::string::npos);

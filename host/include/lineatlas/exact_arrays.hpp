@@ -12,7 +12,7 @@
 namespace lineatlas {
 
 /// As MeshArrays, for coordinates that need more digits than floats have, such as those of surveys,
-/// which lie farther from zero than a thousand times the model's size.
+/// which lie farther from zero than thirty times the model's size.
 struct ExactArrays {
     std::span<const double> positions;          ///< x, y, z of each vertex
     std::size_t stride = 3;                     ///< doubles, not bytes, to the next vertex

@@ -23,6 +23,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "bodies.hpp"
+#include "degenerate_torus.hpp"
 #include "document_tree.hpp"
 #include "memory_stream.hpp"
 #include "models/part_names.hpp"
@@ -136,6 +137,9 @@ Assembly read_step(std::string_view file) {
     std::istream stream{&buffer};
     if (reader.ChangeReader().ReadStream("model", stream) != IFSelect_RetDone)
         throw std::runtime_error("it is damaged or cut off: Open CASCADE cannot parse it");
+    if (const auto model = Handle(StepData_StepModel)::DownCast(reader.Reader().WS()->Model());
+        !model.IsNull())
+        sweep_degenerate_tori(*model);
 
     Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
     if (!reader.Transfer(document)) throw std::runtime_error("it holds no shape that can be read");
