@@ -79,16 +79,17 @@ class FlatCreaseFinder {
                      std::span<const std::optional<LineKind>> kinds,
                      const std::vector<bool>& is_designed)
         : mesh_(mesh), parts_(parts), edges_(edges), bends_(bends), normals_(normals),
-          kinds_(kinds), is_designed_(is_designed), facet_of_(facets()),
-          sides_(mesh.triangles.size(), edges.size(),
-                 [&](std::size_t i, const auto& add) { add_side(i, add); }) {
-        measure();
-    }
+          kinds_(kinds), is_designed_(is_designed), least_(least_sizes()),
+          candidates_(find_candidates()), facet_of_(facets()), is_asked_(asked_facets()),
+          sides_(mesh.triangles.size(), candidates_.empty() ? 0 : edges.size(),
+                 [&](std::size_t i, const auto& add) { add_side(i, add); }) {}
 
     std::vector<bool> find() const {
         std::vector<bool> found(edges_.size(), false);
-        for (std::size_t i = 0; i < edges_.size(); ++i)
-            found[i] = may_be(i) && is_large(i) && !divides_warped(i) &&
+        if (candidates_.empty()) return found;
+        const std::vector<double> areas = facet_areas();
+        for (const std::uint32_t i : candidates_)
+            found[i] = is_between_large(i, areas) && !divides_warped(i) &&
                        !bends_on(i, edges_[i].face_a) && !bends_on(i, other_face(i));
         drop_loose(found);
         drop_folds(found);
@@ -98,14 +99,25 @@ class FlatCreaseFinder {
   private:
     std::uint32_t other_face(std::size_t edge) const { return edges_[edge].face_b & LA_FACE_INDEX; }
     glm::dvec3 vertex(std::uint32_t i) const { return glm::dvec3{mesh_.vertices[i]}; }
-    bool may_be(std::size_t edge) const {
-        return !is_line(kinds_[edge]) && edges_[edge].face_count == 2 &&
-               bends_[edge] >= least_bend && bends_[edge] <= double{least_crease_angle} &&
-               is_designed_[parts_.of_vertex[edges_[edge].p]];
+    double length(const MeshEdge& edge) const {
+        return glm::distance(vertex(edge.p), vertex(edge.q));
+    }
+
+    std::vector<std::uint32_t> find_candidates() const {
+        std::vector<std::uint32_t> candidates;
+        for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+            const std::uint32_t part = parts_.of_vertex[edges_[i].p];
+            if (!is_line(kinds_[i]) && edges_[i].face_count == 2 && bends_[i] >= least_bend &&
+                bends_[i] <= double{least_crease_angle} && is_designed_[part] &&
+                length(edges_[i]) >= least_[part])
+                candidates.push_back(i);
+        }
+        return candidates;
     }
 
     /// Per triangle, the name of those that are flat with it.
     std::vector<std::uint32_t> facets() const {
+        if (candidates_.empty()) return {};
         VertexSets sets{mesh_.triangles.size()};
         for (std::size_t i = 0; i < edges_.size(); ++i)
             if (edges_[i].face_count == 2 && bends_[i] < flat_bend)
@@ -115,16 +127,23 @@ class FlatCreaseFinder {
         return names;
     }
 
-    /// Edges around each facet.
+    /// Those beside candidates.
+    std::vector<bool> asked_facets() const {
+        std::vector<bool> is_asked(facet_of_.size(), false);
+        for (const std::uint32_t i : candidates_)
+            is_asked[facet_of_[edges_[i].face_a]] = is_asked[facet_of_[other_face(i)]] = true;
+        return is_asked;
+    }
+
+    /// Edges around each facet that is asked for.
     template <class Add>
     void add_side(std::size_t i, const Add& add) const {
         const auto edge = static_cast<std::uint32_t>(i);
         const std::uint32_t a = facet_of_[edges_[i].face_a];
-        if (edges_[i].face_b == LA_NO_FACE) return add(a, edge);
-        const std::uint32_t b = facet_of_[other_face(i)];
-        if (a == b) return;
-        add(a, edge);
-        add(b, edge);
+        const bool is_boundary = edges_[i].face_b == LA_NO_FACE;
+        const std::uint32_t b = is_boundary ? a : facet_of_[other_face(i)];
+        if (is_asked_[a] && (is_boundary || a != b)) add(a, edge);
+        if (is_asked_[b] && a != b) add(b, edge);
     }
 
     /// The corner of a triangle that is no end of the edge.
@@ -217,7 +236,7 @@ class FlatCreaseFinder {
         return continued > most_continued * samples;
     }
 
-    void measure() {
+    std::vector<double> least_sizes() const {
         std::vector<glm::vec3> low(parts_.count, glm::vec3{std::numeric_limits<float>::max()});
         std::vector<glm::vec3> high(parts_.count, glm::vec3{std::numeric_limits<float>::lowest()});
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
@@ -226,21 +245,24 @@ class FlatCreaseFinder {
             high[part] = glm::max(high[part], mesh_.vertices[i]);
         }
         const double of_model = least_of_model * diagonal_of(mesh_.vertices);
+        std::vector<double> least;
         for (std::uint32_t part = 0; part < parts_.count; ++part)
-            least_.push_back(
-                std::max(of_model, least_size * glm::distance(glm::dvec3{low[part]},
-                                                              glm::dvec3{high[part]})));
-        area_.assign(mesh_.triangles.size(), 0);
-        for (std::uint32_t face = 0; face < mesh_.triangles.size(); ++face)
-            area_[facet_of_[face]] += area_of(mesh_, face);
+            least.push_back(std::max(of_model, least_size * glm::distance(glm::dvec3{low[part]},
+                                                                          glm::dvec3{high[part]})));
+        return least;
     }
 
-    bool is_large(std::size_t edge) const {
-        const MeshEdge& one = edges_[edge];
-        const double least = least_[parts_.of_vertex[one.p]];
-        return glm::distance(vertex(one.p), vertex(one.q)) >= least &&
-               area_[facet_of_[one.face_a]] >= least * least &&
-               area_[facet_of_[other_face(edge)]] >= least * least;
+    std::vector<double> facet_areas() const {
+        std::vector<double> areas(mesh_.triangles.size(), 0);
+        for (std::uint32_t face = 0; face < areas.size(); ++face)
+            areas[facet_of_[face]] += area_of(mesh_, face);
+        return areas;
+    }
+
+    bool is_between_large(std::size_t edge, std::span<const double> areas) const {
+        const double least = least_[parts_.of_vertex[edges_[edge].p]];
+        return areas[facet_of_[edges_[edge].face_a]] >= least * least &&
+               areas[facet_of_[other_face(edge)]] >= least * least;
     }
 
     /// A crease that does not go on in another line at both ends is none.
@@ -301,11 +323,12 @@ class FlatCreaseFinder {
     std::span<const double> bends_;
     std::span<const glm::dvec3> normals_;
     std::span<const std::optional<LineKind>> kinds_;
-    const std::vector<bool>& is_designed_; ///< parts
-    std::vector<std::uint32_t> facet_of_;  ///< triangles
-    Groups<std::uint32_t> sides_;          ///< edges, by facet
-    std::vector<double> area_;             ///< of facets
-    std::vector<double> least_;            ///< size that is large, per part
+    const std::vector<bool>& is_designed_;  ///< parts
+    std::vector<double> least_;             ///< size that is large, per part
+    std::vector<std::uint32_t> candidates_; ///< edges that are long and bend a little
+    std::vector<std::uint32_t> facet_of_;   ///< triangles; none without candidates
+    std::vector<bool> is_asked_;            ///< facets
+    Groups<std::uint32_t> sides_;           ///< edges, by facet
 };
 
 } // namespace
