@@ -67,7 +67,7 @@ class SceneBuffers {
         /// What probes that know surfaces read; null until first asked for.
         std::unique_ptr<compute::Buffer> numbers{}, patches{};
         /// What the kernels of `fill` read; null until first asked for.
-        std::unique_ptr<compute::Buffer> colors{};
+        std::unique_ptr<compute::Buffer> colors{}, smooth_corners{};
     };
     const Tables& tables() const { return tables_; }
     /// The same on another device, from the memory of this one.
@@ -106,6 +106,10 @@ class SceneBuffers {
     const gl::TriangleColors& gl_colors() const { return colors_; }
     /// The same for kernels: FillArgs::colors; null for a model without colours.
     compute::Buffer* colors();
+    /// Triangles that contours may run through, for fills in the light; none without contours.
+    std::optional<compute::SmoothTriangles> smooth_triangles();
+    /// The same for GL.
+    std::optional<gl::SmoothTriangles> gl_smooth_triangles();
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
@@ -158,6 +162,13 @@ class SceneBuffers {
     void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);
 
     bool is_cut_up() const;
+    /// Where they stand now; none of a model without contours.
+    std::optional<compute::ContourTables> contours_now() const {
+        return tables_.contour_chunk().contours(tables_.moving ? tables_.moving->corners()
+                                                               : nullptr);
+    }
+    /// Per triangle of gl_triangles() its corners among those of contours, or LA_NO_SURFACE.
+    std::vector<glm::uvec3> smooth_corners(const compute::ContourTables& contours) const;
     /// In the order of gl_triangles().
     std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
@@ -200,6 +211,8 @@ class SceneBuffers {
     gl::Buffer gl_vertices_, gl_indices_;     ///< made when first asked for: kernels have their own
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;
+    gl::Buffer gl_smooth_corners_, gl_normals_; ///< made when first asked for
+    std::uint64_t normals_version_ = 0;         ///< LineTables::version of gl_normals_
     // What only the methods besides the atlas need; made when first asked for.
     gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
     gl::Buffer gl_numbers_, gl_patches_; ///< made when first asked for

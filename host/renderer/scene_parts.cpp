@@ -83,9 +83,10 @@ bool SceneBuffers::update_parts(const AssemblyState& parts) {
     diagonal_ = glm::distance(parts.lines.bounds.min, parts.lines.bounds.max);
     upload_colors(parts.lines);
     // What only other methods need is made anew when they ask for it.
-    for (gl::Buffer* buffer :
-         {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_, &gl_patches_})
+    for (gl::Buffer* buffer : {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_,
+                               &gl_patches_, &gl_smooth_corners_, &gl_normals_})
         *buffer = {};
+    tables_.smooth_corners.reset();
     normals_.forget(); // as soon as positions change again
     moved_ = true;
     return true;
