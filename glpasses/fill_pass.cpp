@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "storage.hpp"
 #include "viewport.hpp"
@@ -12,7 +13,8 @@ namespace lineatlas::gl {
 FillPass::FillPass()
     : flat_program_({"fill.vert", "fill.frag"}), lit_program_({"fill.vert", "fill.frag"}, "LIT"),
       vertex_array_(VertexArray::create()), indices_(TextureBuffer::create()),
-      table_(TextureBuffer::create()) {
+      table_(TextureBuffer::create()), corners_(TextureBuffer::create()),
+      normals_(TextureBuffer::create()), vertices_(TextureBuffer::create()) {
     const GLuint array = vertex_array_.id();
     glEnableVertexArrayAttrib(array, 0);
     glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
@@ -20,17 +22,30 @@ FillPass::FillPass()
     RangeCommands::describe(vertex_array_, 1, 1);
 }
 
-void FillPass::set_light(const FillView& view, const Fill& fill) const {
+void FillPass::set_light(const Program& program, const FillView& view, const Fill& fill) {
     const float length = glm::length(fill.light);
     const glm::vec3 light = length > 0 ? fill.light / length : glm::vec3{0, 0, 1};
     const int steps = fill.mode == FillMode::toon ? std::max(fill.toon_steps, 2) : 0;
-    lit_program_.set("eye_from_world", view.eye_from_world);
-    lit_program_.set("light", glm::vec4{light, 0});
-    lit_program_.set("ambient", std::clamp(fill.ambient, 0.0F, 1.0F));
-    lit_program_.set("steps", static_cast<float>(steps));
+    program.set("eye_from_world", view.eye_from_world);
+    program.set("light", glm::vec4{light, 0});
+    program.set("ambient", std::clamp(fill.ambient, 0.0F, 1.0F));
+    program.set("steps", static_cast<float>(steps));
+}
+
+void FillPass::bind(const TriangleBuffers& triangles, const SmoothTriangles& smooth) {
+    for (const std::uint64_t texels :
+         {triangles.triangle_count, smooth.normal_count, smooth.vertex_count})
+        check_buffer_texture(texels, purpose::fill);
+    glTextureBuffer(corners_.id(), GL_RGB32UI, smooth.corners);
+    glTextureBuffer(normals_.id(), GL_RGBA32UI, smooth.normals);
+    glTextureBuffer(vertices_.id(), GL_RGB32F, triangles.vertices);
+    glBindTextureUnit(2, corners_.id());
+    glBindTextureUnit(3, normals_.id());
+    glBindTextureUnit(4, vertices_.id());
 }
 
 void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colors,
+                    const std::optional<SmoothTriangles>& smooth,
                     std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
                     GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -53,7 +68,12 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
         glBindTextureUnit(1, table_.id());
     }
     const bool lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
-    const Program& program = lit ? lit_program_ : flat_program_;
+    const bool is_smooth = lit && smooth.has_value();
+    if (is_smooth) bind(triangles, *smooth);
+    if (is_smooth && !smooth_program_)
+        smooth_program_.emplace(std::vector<std::string_view>{"fill.vert", "fill.frag"},
+                                "LIT SMOOTH");
+    const Program& program = is_smooth ? *smooth_program_ : lit ? lit_program_ : flat_program_;
     program.use();
     program.set("color_indices", 0);
     program.set("colors", 1);
@@ -61,7 +81,15 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
     program.set("plain_color", glm::vec4{fill.color, 1});
     program.set("clip_from_world", view.clip_from_world);
     program.set("tile", view.tile);
-    if (lit) set_light(view, fill);
+    if (lit) set_light(program, view, fill);
+    if (is_smooth) {
+        program.set("smooth_corners", 2);
+        program.set("normals", 3);
+        program.set("vertices", 4);
+        program.set("eye_from_normal",
+                    glm::mat4{glm::transpose(glm::inverse(glm::mat3{view.eye_from_world}))});
+        program.set("viewport", glm::vec4{view.origin, view.viewport});
+    }
 
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));
     glVertexArrayElementBuffer(vertex_array_.id(), triangles.indices);

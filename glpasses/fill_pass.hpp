@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct TriangleColors {
     GLuint colors;       ///< RGBA, 8 bits per channel; alpha 0: no colour
 };
 
+/// Triangles that are lit by normals of their corners.
+struct SmoothTriangles {
+    GLuint corners; ///< 3 uint32 per triangle of the list: of `normals`, or LA_NO_SURFACE
+    GLuint normals; ///< `ContourCorner` each
+    std::uint32_t normal_count, vertex_count;
+};
+
 struct FillView {
     glm::mat4 clip_from_world;
     glm::mat4 eye_from_world;
@@ -35,19 +43,22 @@ class FillPass {
     FillPass();
 
     /// Draws these pieces of the list of triangles into `framebuffer`, which needs a depth
-    /// attachment. Clears its depth. Throws DeviceError if GL cannot read so many colours.
+    /// attachment; its depth is cleared. Throws DeviceError if GL cannot read so many colours or
+    /// normals.
     void draw(const TriangleBuffers& triangles, const TriangleColors& colors,
-              std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
-              GLuint framebuffer);
+              const std::optional<SmoothTriangles>& smooth, std::span<const TriangleRange> ranges,
+              const FillView& view, const Fill& fill, GLuint framebuffer);
 
   private:
-    void set_light(const FillView& view, const Fill& fill) const;
+    static void set_light(const Program& program, const FillView& view, const Fill& fill);
+    void bind(const TriangleBuffers& triangles, const SmoothTriangles& smooth);
 
     Program flat_program_;
     Program lit_program_;
+    std::optional<Program> smooth_program_; ///< made when first used
     VertexArray vertex_array_;
     RangeCommands commands_;
-    TextureBuffer indices_, table_; ///< views of the buffers of a draw
+    TextureBuffer indices_, table_, corners_, normals_, vertices_; ///< views of those of a draw
 };
 
 } // namespace lineatlas::gl

@@ -3,6 +3,10 @@
  * Two steps. First each triangle of a visible cluster gets its colour. Then each pixel gets the
  * mean of its texels' colours, so that edges are as smooth as the depth buffer is fine.
  *
+ * A triangle of a smooth surface gets its colour without light. Each of its texels is lit by the
+ * normal there, interpolated between those of the triangle's corners (Phong 1975). smooth_corners:
+ * of each triangle three of `normals`, or LA_NO_SURFACE.
+ *
  * DEPTH_LANES: triangles at once, 1 on GPUs. */
 
 #define LANES DEPTH_LANES
@@ -10,13 +14,17 @@
 #include "lanes.h"
 #include "meshlet_faces.h"
 
-/* Light adds up linearly, but colours are coded for the screen: x to the power of 1 / 2.2. The
- * result is exact at 0 and 1 and off by at most 2e-4 between them. It is a parabola of x^(1/4),
- * which the power nearly is. */
+/* Light adds up linearly, colours are coded for the screen: x to the power of 1 / 2.2, 0 and 1 as
+ * they are, between them off by at most 2e-4. Of x^(1/4) that is nearly a parabola. */
+#define CODED_BEND(t) (((0.188157f * t - 0.397165f) * t + 0.374439f) * t - 0.976627f)
 static lanes_float coded(const lanes_float x) {
     const lanes_float one = 1.0f, t = SQUARE_ROOT(SQUARE_ROOT(x));
-    const lanes_float bend = ((0.188157f * t - 0.397165f) * t + 0.374439f) * t - 0.976627f;
+    const lanes_float bend = CODED_BEND(t);
     return t + t * (one - t) * bend;
+}
+static float coded_one(const float x) {
+    const float t = sqrt(sqrt(x)), bend = CODED_BEND(t);
+    return t + t * (1.0f - t) * bend;
 }
 
 /* How bright a face is, seen from the eye's side, whichever way its corners go round. */
@@ -71,15 +79,94 @@ KERNEL(fill_colors, FillColorsParameters) {
         }
         const uint end = min((uint)LANES, meshlet.triangle_count - first);
         for (uint i = 0; i < end; ++i) {
-            const Color color = args.has_colors != 0 ? colors[start + first + i] : 0u;
+            const uint number = start + first + i;
+            const Color color = args.has_colors != 0 ? colors[number] : 0u;
+            const bool is_smooth =
+                args.has_smooth != 0 && smooth_corners[3 * number] != LA_NO_SURFACE;
+            const float shade = is_smooth ? 1.0f : shades[i];
             const bool own_color = color >> 24 != 0;
             const float red = own_color ? (float)(color & 255u) : plain.x;
             const float green = own_color ? (float)(color >> 8 & 255u) : plain.y;
             const float blue = own_color ? (float)(color >> 16 & 255u) : plain.z;
-            shaded[start + first + i] = rounded(red * shades[i]) | rounded(green * shades[i]) << 8 |
-                                        rounded(blue * shades[i]) << 16 | 0xFF000000u;
+            shaded[number] = rounded(red * shade) | rounded(green * shade) << 8 |
+                             rounded(blue * shade) << 16 | 0xFF000000u;
         }
     }
+}
+
+static float dot_of_two(const float3 a, const float3 b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+/* A smooth triangle: the x, y and w of its corners in clip space, and their normals, which look to
+ * the side that is seen. */
+typedef struct SmoothFace {
+    float3 at[3];
+    float3 normal[3];
+} SmoothFace;
+
+static SmoothFace smooth_face(const FillPixelsParameters* args, __global const uint* own,
+                              __global const ContourCorner* normals,
+                              __global const float* vertices) {
+    const Matrix m = to_matrix(args->clip_from_world);
+    const float4 eye = to_float4(args->eye);
+    SmoothFace face;
+    float3 place[3], sum = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        __global const ContourCorner* corner = normals + own[k];
+        const float3 v = vload3(corner->vertex, vertices);
+        face.normal[k] = vload3(0, corner->normal);
+        face.at[k] = float3((m.x.x * v.x + m.y.x * v.y) + (m.z.x * v.z + m.w.x),
+                            (m.x.y * v.x + m.y.y * v.y) + (m.z.y * v.z + m.w.y),
+                            (m.x.w * v.x + m.y.w * v.y) + (m.z.w * v.z + m.w.w));
+        place[k] = v;
+        sum += face.normal[k];
+    }
+    const float3 u = place[1] - place[0], w = place[2] - place[0];
+    const float3 front =
+        float3(u.y * w.z - u.z * w.y, u.z * w.x - u.x * w.z, u.x * w.y - u.y * w.x);
+    const float3 to_eye = float3(eye.x, eye.y, eye.z) - place[0] * eye.w;
+    const float side = dot_of_two(front, to_eye) * dot_of_two(front, sum) < 0.0f ? -1.0f : 1.0f;
+    for (int k = 0; k < 3; ++k) face.normal[k] = face.normal[k] * side;
+    return face;
+}
+
+/* How bright such a triangle is at a texel, or between texels. What of it each corner is, is found
+ * with that place in the middle: little is lost where triangles are small. */
+static float smooth_shade(const FillPixelsParameters* args, const SmoothFace* face,
+                          const float column, const float line) {
+    const float x = args->first.v[0] + column * args->step.v[0];
+    const float y = args->first.v[1] + line * args->step.v[1];
+    float2 at[3];
+    for (int k = 0; k < 3; ++k)
+        at[k] = float2(face->at[k].x - x * face->at[k].z, face->at[k].y - y * face->at[k].z);
+    const float a = at[1].x * at[2].y - at[1].y * at[2].x;
+    const float b = at[2].x * at[0].y - at[2].y * at[0].x;
+    const float c = at[0].x * at[1].y - at[0].y * at[1].x;
+    /* A place at the border may lie beside the triangle. */
+    const float sign = (a + b) + c < 0.0f ? -1.0f : 1.0f;
+    const float3 n =
+        (face->normal[0] * fmax(a * sign, 0.0f) + face->normal[1] * fmax(b * sign, 0.0f)) +
+        face->normal[2] * fmax(c * sign, 0.0f);
+    const Matrix m = to_matrix(args->eye_from_normal);
+    const float3 seen =
+        float3((n.x * m.x.x + n.y * m.y.x) + n.z * m.z.x, (n.x * m.x.y + n.y * m.y.y) + n.z * m.z.y,
+               (n.x * m.x.z + n.y * m.y.z) + n.z * m.z.z);
+    const float4 light = to_float4(args->light);
+    const float along = dot_of_two(seen, float3(light.x, light.y, light.z));
+    const float length = sqrt(dot_of_two(seen, seen));
+    float lambert = length > 0.0f ? fmax(along / length, 0.0f) : 0.0f;
+    if (args->steps > 0.0f) {
+        const float last = args->steps - 1.0f;
+        lambert = fmin((float)convert_int_rtn(lambert * args->steps), last) / last;
+    }
+    return coded_one(fmin(args->ambient + lambert * (1.0f - args->ambient), 1.0f));
+}
+
+static Color in_shade(const Color color, const float shade) {
+    return rounded((float)(color & 255u) * shade) |
+           rounded((float)(color >> 8 & 255u) * shade) << 8 |
+           rounded((float)(color >> 16 & 255u) * shade) << 16 | 0xFF000000u;
 }
 
 /* One work-item per block of pixels in a row. pixels: the mean, alpha the share that triangles
@@ -100,26 +187,45 @@ KERNEL(fill_pixels, FillPixelsParameters) {
     const uint inverse = (65536u + count - 1u) / count; /* exact for sums below 4096 */
     /* Neighbouring texels mostly show the same triangle. */
     uint last = LA_NO_FACE;
-    Color color = 0;
+    bool is_smooth = false;
+    SmoothFace face;
+    Color color = 0, lit = 0;
+    /* Light without steps changes so little within a pixel that its middle says it. */
+    const bool by_pixels = args.steps == 0.0f;
+    const float to_middle = 0.5f * (float)(scale - 1);
     for (int x = from; x < to; ++x) {
         uint differs = 0;
         for (int v = 0; v < scale; ++v) {
             for (int u = 0; u < scale; ++u) differs |= texels[v * args.row + x * scale + u] ^ last;
         }
-        if (differs == 0) {
-            out[x] = color;
+        const float column = (float)((low.x + x) * scale), line = (float)((low.y + y) * scale);
+        if (is_smooth && by_pixels)
+            lit = in_shade(color, smooth_shade(&args, &face, column + to_middle, line + to_middle));
+        if (differs == 0 && (by_pixels || !is_smooth)) {
+            out[x] = lit;
             continue;
         }
         uint red_blue = 0, green_alpha = 0; /* two sums of 16 bits each */
         for (int v = 0; v < scale; ++v) {
             for (int u = 0; u < scale; ++u) {
                 const uint number = texels[v * args.row + x * scale + u];
-                if (number != last) {
+                const bool is_other = number != last;
+                if (is_other) {
                     last = number;
-                    color = number == LA_NO_FACE ? 0u : shaded[number];
+                    color = lit = number == LA_NO_FACE ? 0u : shaded[number];
+                    const size_t own = 3 * (size_t)number;
+                    is_smooth = args.has_smooth != 0 && number != LA_NO_FACE &&
+                                smooth_corners[own] != LA_NO_SURFACE;
+                    if (is_smooth)
+                        face = smooth_face(&args, smooth_corners + own, normals, vertices);
                 }
-                red_blue += color & 0x00FF00FFu;
-                green_alpha += color >> 8 & 0x00FF00FFu;
+                if (is_smooth && (is_other || !by_pixels)) {
+                    const float aside = by_pixels ? to_middle : (float)u;
+                    const float above = by_pixels ? to_middle : (float)v;
+                    lit = in_shade(color, smooth_shade(&args, &face, column + aside, line + above));
+                }
+                red_blue += lit & 0x00FF00FFu;
+                green_alpha += lit >> 8 & 0x00FF00FFu;
             }
         }
         const uint red = ((red_blue & 0xFFFFu) + half_count) * inverse >> 16;

@@ -24,6 +24,7 @@
 #include "cracks.hpp"
 #include "diagonal.hpp"
 #include "edges.hpp"
+#include "flat_creases.hpp"
 #include "intersections.hpp"
 #include "known_edges.hpp"
 #include "line_set_builder.hpp"
@@ -188,9 +189,13 @@ class Extraction {
         leave_out_joints();
         find_tangents(known);
         if (known.all() || options_.crease || !wanted(LineKind::crease)) return;
+        const std::vector<bool> flat =
+            flat_creases(welded_, parts_, edges_, bends_, normals_, kinds_);
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            if (flat[i]) kinds_[i] = LineKind::crease;
         const std::vector<bool> noisy = noisy_creases(welded_, parts_, edges_, bends_, kinds_);
         for (std::size_t i = 0; i < edges_.size(); ++i) {
-            if (!noisy[i] || known.drawn(edges_[i])) continue;
+            if (!noisy[i] || flat[i] || known.drawn(edges_[i])) continue;
             take_crease_away(i);
             ++left_out_.noisy_creases;
         }

@@ -16,8 +16,10 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
     if (fill.mode == FillMode::none) return;
     check_fill(frame.framebuffer);
     if (!fill_pass_) fill_pass_.emplace();
+    const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
     frame.clock.gl("fill", [&] {
-        fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(), seen,
+        fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
+                         is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt, seen,
                          {.clip_from_world = frame.camera.clip_from_world(),
                           .eye_from_world = frame.camera.view,
                           .viewport = frame.tile.size,

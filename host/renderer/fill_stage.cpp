@@ -28,12 +28,19 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
     const TexelRectangle drawn = depth.drawn_texels();
     part_.low = (glm::max(drawn.low - origin, 0) + (scale - 1)) / scale;
     part_.high = glm::min(glm::max(drawn.high - origin, 0) / scale, size_);
+    const Fill& fill = frame.options.style.fill;
+    const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
+    const glm::vec2 step = 2.0F / glm::vec2{frame.camera.size * scale};
     frame.clock("fill", [&] {
         stages_.fill({.model = frame.scene.meshlets(),
                       .vertices = frame.scene.candidate_table().vertices,
                       .seen = depth.seen(),
                       .colors = frame.scene.colors(),
-                      .fill = frame.options.style.fill,
+                      .smooth = is_lit ? frame.scene.smooth_triangles() : std::nullopt,
+                      .fill = fill,
+                      .clip_from_world = frame.camera.clip_from_world(),
+                      .first_texel = (glm::vec2{tile.low * scale} + 0.5F) * step - 1.0F,
+                      .texel_step = step,
                       .eye_from_world = frame.camera.view,
                       .eye = frame.camera.eye(),
                       .shaded = *shaded_,

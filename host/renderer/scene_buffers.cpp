@@ -272,6 +272,45 @@ compute::Buffer* SceneBuffers::colors() {
     return tables_.colors.get();
 }
 
+std::vector<glm::uvec3> SceneBuffers::smooth_corners(const compute::ContourTables& contours) const {
+    const auto own =
+        compute::read_back<glm::uvec3>(device(), *contours.face_corners, contours.face_count);
+    const std::vector<Segment> segments = download_segments(device(), tables_);
+    const std::span faces = std::span{segments}.last(contours.face_count);
+    std::vector<glm::uvec3> of_triangle(triangle_count_, glm::uvec3{LA_NO_SURFACE});
+    for (std::uint32_t i = 0; i < contours.face_count; ++i)
+        if (own[i].x != own[i].y) // else it stands in empty room, see Assembly
+            of_triangle[faces[i].face_a] = own[i];
+    std::vector<glm::uvec3> ordered(triangle_count_);
+    std::ranges::transform(triangle_order_, ordered.begin(),
+                           [&](std::uint32_t place) { return of_triangle[place]; });
+    return ordered;
+}
+
+std::optional<compute::SmoothTriangles> SceneBuffers::smooth_triangles() {
+    const std::optional<compute::ContourTables> contours = contours_now();
+    if (!contours) return {};
+    if (!tables_.smooth_corners)
+        tables_.smooth_corners =
+            upload(device(), bytes_of(smooth_corners(*contours)), compute::table::smooth_corners);
+    return compute::SmoothTriangles{*tables_.smooth_corners, *contours->corners};
+}
+
+std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {
+    const std::optional<compute::ContourTables> contours = contours_now();
+    if (!contours) return {};
+    if (!gl_smooth_corners_)
+        gl_smooth_corners_ = upload_gl(bytes_of(smooth_corners(*contours)), purpose::fill);
+    if (!gl_normals_ || normals_version_ != tables_.version) {
+        const auto corners = compute::read_back<ContourCorner>(
+            device(), *contours->corners, tables_.contour_chunk().corner_count());
+        gl_normals_ = upload_gl(bytes_of(corners), purpose::fill);
+        normals_version_ = tables_.version;
+    }
+    return gl::SmoothTriangles{gl_smooth_corners_.id(), gl_normals_.id(),
+                               tables_.contour_chunk().corner_count(), motion_.vertex_count()};
+}
+
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
     const auto copy = [&](compute::Buffer& buffer, const compute::TableName& name) {
         return upload(stages.device(),

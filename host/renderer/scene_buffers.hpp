@@ -66,8 +66,8 @@ class SceneBuffers {
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
         /// The tables that probes read if they know surfaces; null until first asked for.
         std::unique_ptr<compute::Buffer> numbers{}, patches{};
-        /// The table that the kernels of `fill` read; null until first asked for.
-        std::unique_ptr<compute::Buffer> colors{};
+        /// What the kernels of `fill` read; null until first asked for.
+        std::unique_ptr<compute::Buffer> colors{}, smooth_corners{};
     };
     const Tables& tables() const { return tables_; }
     /// Copies the tables to another device, from the memory of this one.
@@ -107,6 +107,10 @@ class SceneBuffers {
     const gl::TriangleColors& gl_colors() const { return colors_; }
     /// The colours for kernels (FillArgs::colors); null for a model without colours.
     compute::Buffer* colors();
+    /// Triangles that contours may run through, for fills in the light; none without contours.
+    std::optional<compute::SmoothTriangles> smooth_triangles();
+    /// The same for GL.
+    std::optional<gl::SmoothTriangles> gl_smooth_triangles();
     gl::SegmentBuffers gl_segments();
     /// The fixed lines among `kinds` as pairs of vertices.
     gl::LineBuffers gl_lines(LineKindMask kinds);
@@ -159,6 +163,13 @@ class SceneBuffers {
     void upload_part_surfaces(const PartRooms& rooms, const LineSet& part);
 
     bool is_cut_up() const;
+    /// Where they stand now; none of a model without contours.
+    std::optional<compute::ContourTables> contours_now() const {
+        return tables_.contour_chunk().contours(tables_.moving ? tables_.moving->corners()
+                                                               : nullptr);
+    }
+    /// Per triangle of gl_triangles() its corners among those of contours, or LA_NO_SURFACE.
+    std::vector<glm::uvec3> smooth_corners(const compute::ContourTables& contours) const;
     /// In the order of gl_triangles().
     std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
@@ -201,7 +212,9 @@ class SceneBuffers {
     gl::Buffer gl_vertices_, gl_indices_;     ///< made when first asked for: kernels have their own
     gl::Buffer gl_color_indices_, gl_colors_; ///< empty for a model without colours
     gl::TriangleColors colors_;
-    // Buffers that only methods besides the atlas need, made when first asked for.
+    gl::Buffer gl_smooth_corners_, gl_normals_; ///< made when first asked for
+    std::uint64_t normals_version_ = 0;         ///< LineTables::version of gl_normals_
+    // What only the methods besides the atlas need; made when first asked for.
     gl::Buffer gl_segments_, gl_table_triangles_, gl_lines_;
     gl::Buffer gl_numbers_, gl_patches_; ///< made when first asked for
     LineKindMask line_kinds_ = 0;        ///< the kinds that `gl_lines_` holds

@@ -81,11 +81,12 @@ bool SceneBuffers::update_parts(const AssemblyState& parts) {
         update_part(parts, parts.changes[followed_->changes]);
     diagonal_ = glm::distance(parts.lines.bounds.min, parts.lines.bounds.max);
     upload_colors(parts.lines);
-    // Buffers of other methods are made anew when the methods ask for them.
-    for (gl::Buffer* buffer :
-         {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_, &gl_patches_})
+    // What only other methods need is made anew when they ask for it.
+    for (gl::Buffer* buffer : {&gl_segments_, &gl_table_triangles_, &gl_lines_, &gl_numbers_,
+                               &gl_patches_, &gl_smooth_corners_, &gl_normals_})
         *buffer = {};
-    normals_.forget(); // they are made when positions change again
+    tables_.smooth_corners.reset();
+    normals_.forget(); // as soon as positions change again
     moved_ = true;
     return true;
 }

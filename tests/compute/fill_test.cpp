@@ -26,6 +26,7 @@ class FillStage : public StageTest {
         std::vector<Rgba> colors{}; ///< per triangle; none: empty
         Camera camera{};
         std::uint32_t seen = 1;
+        std::vector<glm::vec3> normals{}; ///< per vertex, of smooth triangles; none: empty
     };
     struct Texels {
         std::vector<std::uint32_t> numbers; ///< triangles of the model, rows from the lower left
@@ -34,6 +35,7 @@ class FillStage : public StageTest {
         glm::ivec2 size; ///< pixels
         glm::ivec2 origin{0, 0};
         TexelRectangle part{{0, 0}, size};
+        glm::vec2 first{0}, step{0}; ///< from -1 to 1 in the picture
     };
 
     std::vector<Rgba> fill(const Model& model, const Fill& fill, Texels texels) {
@@ -59,12 +61,28 @@ class FillStage : public StageTest {
         const auto numbers = put(texels.numbers);
         const auto pixel_count = static_cast<std::size_t>(texels.size.x * texels.size.y);
         const auto pixels = put(std::vector<Rgba>(pixel_count, untouched));
+        std::vector<glm::uvec3> smooth_corners;
+        for (const std::uint32_t i : parts.order)
+            smooth_corners.push_back(model.normals.empty() ? glm::uvec3{LA_NO_SURFACE}
+                                                           : model.triangles[i]);
+        std::vector<ContourCorner> normals(1);
+        for (std::uint32_t i = 0; i < model.normals.size(); ++i) {
+            const glm::vec3 normal = model.normals[i];
+            normals.resize(i + 1);
+            normals[i] = {.vertex = i, .normal = {normal.x, normal.y, normal.z}};
+        }
+        const auto smooth_table = put(smooth_corners);
+        const auto normal_table = put(normals);
         stages().fill({.model = {*clusters, *meshlets, *vertex_list, *corners,
                                  static_cast<std::uint32_t>(parts.clusters.size())},
                        .vertices = *vertices,
                        .seen = *seen,
                        .colors = colors.empty() ? nullptr : color_table.get(),
+                       .smooth = compute::SmoothTriangles{*smooth_table, *normal_table},
                        .fill = fill,
+                       .clip_from_world = model.camera.clip_from_world(),
+                       .first_texel = texels.first,
+                       .texel_step = texels.step,
                        .eye_from_world = model.camera.view,
                        .eye = model.camera.eye(),
                        .shaded = *shaded,
@@ -205,6 +223,40 @@ TEST_P(FillStage, LambertFollowsTheAngleOfTheLight) {
             SCOPED_TRACE(degrees);
             expect_near(one(face, camera, lambert, color), expected);
             expect_near(one({face[0], face[2], face[1]}, camera, lambert, color), expected);
+        }
+    }
+}
+
+TEST_P(FillStage, SmoothTrianglesAreLitByTheNormalsOfTheirCorners) {
+    const glm::vec3 up{0, 0, 1}, aside{0.8F, 0, 0.6F};
+    const Fill lambert{.mode = FillMode::lambert, .light = up, .ambient = 0};
+    const Rgba color{200, 100, 50, 255};
+    const auto texels = [&](bool perspective, bool turned, float side) {
+        Model model{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                    .triangles = {turned ? glm::uvec3{0, 2, 1} : glm::uvec3{0, 1, 2}},
+                    .colors = {color},
+                    .camera = looks_along_z(perspective),
+                    .normals = {side * up, side * aside, side * up}};
+        const glm::vec4 corner = model.camera.clip_from_world() * glm::vec4{1, 0, 0, 1};
+        return fill(model, lambert,
+                    {.numbers = {0, 0, 0, none},
+                     .row = 4,
+                     .scale = 1,
+                     .size = {4, 1},
+                     .step = {corner.x / corner.w / 2, 0}});
+    };
+    // At a corner, half way to the next, and there; in the middle the sum of both counts.
+    const double between = glm::normalize(up + aside).z;
+    for (const bool perspective : {true, false}) {
+        for (const bool turned : {false, true}) {
+            // Whichever way normals look, that side is lit which is seen.
+            for (const float side : {1.0F, -1.0F}) {
+                const std::vector<Rgba> shown = texels(perspective, turned, side);
+                expect_near(shown[0], in_light(color, 1));
+                expect_near(shown[1], in_light(color, between));
+                expect_near(shown[2], in_light(color, 0.6));
+                EXPECT_EQ(shown[3], (Rgba{0, 0, 0, 0}));
+            }
         }
     }
 }

@@ -202,9 +202,10 @@ std::vector<std::uint8_t> expected_fill(const LineSet& lines, const Camera& came
     upload(table, colors);
     const auto count = static_cast<std::uint32_t>(lines.triangles.size());
     const gl::TriangleRange all{0, count};
-    gl::FillPass{}.draw(
-        {vertices.id(), indices.id(), count}, {color_indices.id(), GL_R16UI, table.id()}, {&all, 1},
-        {camera.clip_from_world(), camera.view, canvas.size()}, fill, canvas.framebuffer());
+    gl::FillPass{}.draw({vertices.id(), indices.id(), count},
+                        {color_indices.id(), GL_R16UI, table.id()}, {}, {&all, 1},
+                        {camera.clip_from_world(), camera.view, canvas.size()}, fill,
+                        canvas.framebuffer());
     return canvas.read();
 }
 

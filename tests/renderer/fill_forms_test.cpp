@@ -17,6 +17,7 @@
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
 #include "scene_cameras.hpp"
+#include "test_meshes.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -182,6 +183,72 @@ TEST_P(FillForms, HiddenAndMovedObjectsAreFollowed) {
         transforms[i] = glm::rotate(glm::mat4{1}, 0.1F, glm::vec3{1, 2, 3});
     renderer_.set_transforms(transforms);
     EXPECT_GT(share_beyond(expect_same("turned"), all, 1), 1e-3);
+}
+
+/// Of the pixels well within the picture of a ball of radius 1 how far the red of any is from what
+/// light from the eye's direction makes of white.
+double worst_of_ball(const Picture& shown, const Camera& camera) {
+    double worst = 0;
+    const glm::mat4 world_from_clip = glm::inverse(camera.clip_from_world());
+    for (int y = 0; y < camera.size.y; ++y) {
+        for (int x = 0; x < camera.size.x; ++x) {
+            const glm::vec2 at = (glm::vec2{x, y} + 0.5F) / glm::vec2{camera.size} * 2.0F - 1.0F;
+            const glm::vec4 near = world_from_clip * glm::vec4{at, -1, 1};
+            const glm::vec2 place{near.x / near.w, near.y / near.w}; // the view is along z
+            const float square = glm::dot(place, place);
+            if (square > 0.8F) continue;
+            const double light = std::sqrt(1 - double{square});
+            const double expected = 255 * std::pow(light, 1 / 2.2);
+            const std::size_t i = 4 * static_cast<std::size_t>(y * camera.size.x + x);
+            worst = std::max(worst, std::abs(shown[i] - expected));
+        }
+    }
+    return worst;
+}
+
+TEST_P(FillForms, ASmoothBallHasTheLightOfABall) {
+    Camera camera;
+    camera.size = {200, 200};
+    camera.view = glm::translate(glm::mat4{1}, glm::vec3{0, 0, -5});
+    camera.projection = glm::ortho(-1.1F, 1.1F, -1.1F, 1.1F, 1.0F, 20.0F);
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
+        const auto drawn = [&] {
+            FrameOptions options = options_of(FillMode::lambert, form, 1);
+            options.style.fill.color = glm::vec3{1};
+            options.style.fill.light = {0, 0, 1};
+            options.style.fill.ambient = 0;
+            return draw(renderer_, camera, options);
+        };
+        const Mesh ball = sphere(4);
+        renderer_.set_lines(extract_lines(ball, {.silhouettes = Silhouettes::mesh}));
+        EXPECT_GT(worst_of_ball(drawn(), camera), 8) << "flat triangles";
+        const LineSet lines =
+            extract_lines(ball, {.separate_objects = true, .silhouettes = Silhouettes::smooth});
+        renderer_.set_lines(lines);
+        EXPECT_LT(worst_of_ball(drawn(), camera), 2.5);
+        renderer_.set_transforms(std::vector{glm::rotate(glm::mat4{1}, 0.7F, glm::vec3{1, 2, 3})});
+        EXPECT_LT(worst_of_ball(drawn(), camera), 2.5) << "turned";
+        std::vector<glm::vec3> other = lines.vertices;
+        for (glm::vec3& vertex : other) vertex = {vertex.y, vertex.z, vertex.x};
+        renderer_.set_positions(0, other);
+        EXPECT_LT(worst_of_ball(drawn(), camera), 2.5) << "of another shape";
+    }
+}
+
+TEST_P(FillForms, BothFormsLightSmoothSurfacesAlike) {
+    Camera camera;
+    camera.size = {301, 203};
+    camera.view = glm::lookAt(glm::vec3{3, 2, 4}, glm::vec3{0}, glm::vec3{0, 1, 0});
+    camera.projection = glm::perspective(0.45F, 301.0F / 203.0F, 1.0F, 20.0F);
+    renderer_.set_lines(
+        extract_lines(moved(sphere(3), glm::scale(glm::mat4{1}, glm::vec3{1, 0.7F, 0.9F})),
+                      {.silhouettes = Silhouettes::smooth}));
+    for (const FillMode mode : {FillMode::lambert, FillMode::toon}) {
+        const Picture large = expected(renderer_, camera, mode, 2);
+        const Picture shown = draw(renderer_, camera, options_of(mode, StageForm::compute, 2));
+        EXPECT_GT(filled(shown), 5000U);
+        EXPECT_LE(share_beyond(shown, large, 1), 1e-3);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Devices, FillForms, testing::Values("opencl", "cpp"),

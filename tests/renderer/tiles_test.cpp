@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "compare.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
@@ -9,6 +11,7 @@
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/scenes.hpp"
 #include "scene_cameras.hpp"
+#include "test_meshes.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -115,6 +118,21 @@ TEST_P(Tiles, EveryEffectRunsOnOverTheirBorders) {
         const Camera view = camera("clevis", {400, 300});
         const Picture expected = whole(r, view, options);
         EXPECT_LE(share_of_pixels(expected, tiled(r, view, options, 130)), 5e-4);
+    }
+}
+
+TEST_P(Tiles, SmoothSurfacesHaveTheirLightInEach) {
+    Renderer r{{.compute = GetParam()}};
+    r.set_lines(extract_lines(sphere(3), {.silhouettes = Silhouettes::smooth}));
+    Camera view;
+    view.size = {301, 203};
+    view.view = glm::lookAt(glm::vec3{3, 2, 4}, glm::vec3{0}, glm::vec3{0, 1, 0});
+    view.projection = glm::perspective(0.45F, 301.0F / 203.0F, 1.0F, 20.0F);
+    for (const StageForm form : {StageForm::raster, StageForm::compute}) {
+        FrameOptions options{.forms = {.depth = form}};
+        options.style.fill.mode = FillMode::toon;
+        const Picture expected = whole(r, view, options);
+        EXPECT_LE(share_of_pixels(expected, tiled(r, view, options, 64)), 5e-4);
     }
 }
 

@@ -14,6 +14,14 @@ struct Colors {
     Buffer& colors; ///< any table of uints if they are not read
 };
 
+struct SmoothCorners {
+    Buffer& smooth_corners; ///< any of uints where they are not read
+};
+
+struct Normals {
+    Buffer& normals; ///< any where they are not read
+};
+
 FillColorsParameters colors_parameters(const FillArgs& args) {
     const Fill& fill = args.fill;
     const float length = glm::length(fill.light);
@@ -22,6 +30,7 @@ FillColorsParameters colors_parameters(const FillArgs& args) {
     return {.count = args.model.count,
             .has_colors = args.colors != nullptr ? 1U : 0U,
             .lit = toon || fill.mode == FillMode::lambert ? 1U : 0U,
+            .has_smooth = args.smooth ? 1U : 0U,
             .plain = {fill.color, 1},
             .eye = args.eye,
             // Normals are turned by the transposed inverse of the matrix that turns faces.
@@ -32,26 +41,43 @@ FillColorsParameters colors_parameters(const FillArgs& args) {
             .steps = toon ? static_cast<float>(std::max(fill.toon_steps, 2)) : 0.0F};
 }
 
+FillPixelsParameters pixels_parameters(const FillArgs& args, const FillColorsParameters& colors,
+                                       std::uint32_t block, std::uint32_t blocks) {
+    return {.size = args.size,
+            .low = args.part.low,
+            .wanted = args.part.size(),
+            .origin = args.origin,
+            .row = args.row,
+            .scale = args.scale,
+            .block = block,
+            .blocks = blocks,
+            .has_smooth = colors.has_smooth,
+            .first = args.first_texel,
+            .step = args.texel_step,
+            .clip_from_world = args.clip_from_world,
+            .eye = colors.eye,
+            .eye_from_normal = colors.eye_from_normal,
+            .light = colors.light,
+            .ambient = colors.ambient,
+            .steps = colors.steps};
+}
+
 } // namespace
 
 void Stages::fill(const FillArgs& args) {
     const glm::ivec2 wanted = args.part.size();
     if (wanted.x <= 0 || wanted.y <= 0) return;
-    launch<kernels::fill_colors>(args.model.count, colors_parameters(args), args.model, args,
-                                 Colors{args.colors != nullptr ? *args.colors : args.numbers});
+    const FillColorsParameters colors = colors_parameters(args);
+    const SmoothCorners smooth{args.smooth ? args.smooth->smooth_corners : args.numbers};
+    launch<kernels::fill_colors>(args.model.count, colors, args.model, args,
+                                 Colors{args.colors != nullptr ? *args.colors : args.numbers},
+                                 smooth);
     const std::uint32_t block = tuning_.atlas_block;
     const std::uint32_t blocks = divide_up(static_cast<std::uint32_t>(wanted.x), block);
-    launch_grouped<kernels::fill_pixels>(blocks * static_cast<std::uint32_t>(wanted.y),
-                                         tuning_.block_local_size,
-                                         {.size = args.size,
-                                          .low = args.part.low,
-                                          .wanted = wanted,
-                                          .origin = args.origin,
-                                          .row = args.row,
-                                          .scale = args.scale,
-                                          .block = block,
-                                          .blocks = blocks},
-                                         args);
+    launch_grouped<kernels::fill_pixels>(
+        blocks * static_cast<std::uint32_t>(wanted.y), tuning_.block_local_size,
+        pixels_parameters(args, colors, block, blocks), args, smooth,
+        Normals{args.smooth ? args.smooth->normals : args.vertices});
 }
 
 } // namespace lineatlas::compute

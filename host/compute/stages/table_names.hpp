@@ -28,8 +28,8 @@ inline constexpr TableName vertices{"vertices", model}, triangles{"triangles", m
     clusters{"clusters", model}, meshlets{"meshlets", model},
     meshlet_vertices{"meshlet vertices", model}, meshlet_corners{"meshlet corners", model},
     triangle_numbers{"triangle numbers", model}, triangle_patches{"triangle patches", model},
-    colors{"colors", fill}, batch_boxes{"batch boxes", segments},
-    segment_pens{"segment pens", strokes}, mark{"mark", pen};
+    colors{"colors", fill}, smooth_corners{"smooth corners", fill},
+    batch_boxes{"batch boxes", segments}, segment_pens{"segment pens", strokes}, mark{"mark", pen};
 
 // Of a model that moves.
 inline constexpr TableName cluster_triangles{"cluster triangles", motion},
