@@ -13,6 +13,7 @@ namespace lineatlas {
 struct DrawnLines {
     std::vector<DrawnPiece> legs;   ///< all that is drawn, from point to point, of unknown segments
     std::vector<DrawnPiece> pieces; ///< the same by segment; empty where the drawing has no tags
+    std::vector<std::size_t> path_ends{}; ///< per path, one past its last one of `legs`
 };
 
 /// Adds what is drawn from each point to the next.

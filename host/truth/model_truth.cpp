@@ -54,7 +54,7 @@ EdgeTruth ModelTruth::seen(const Camera& camera) const {
 
 Certificate ModelTruth::certify(const EdgeTruth& truth, const Camera& camera,
                                 const DrawnLines& drawn) const {
-    Certificate certificate = compare_lines(truth, drawn.legs);
+    Certificate certificate = compare_lines(truth, drawn);
     if (drawn.pieces.empty()) return certificate;
     // Pieces name edges of the triangles that are drawn.
     certificate.strict = fine_ ? compare_strictly(look(scene_, camera), drawn.pieces)
