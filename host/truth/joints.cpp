@@ -47,6 +47,26 @@ class PathGrid {
     std::vector<std::uint32_t> path_of_; ///< per leg
 };
 
+/// Of each end, which are in order of x, the nearest one of another path within reach, or their
+/// number.
+std::vector<std::size_t> nearest_of(const std::vector<End>& ends) {
+    std::vector<std::size_t> nearest(ends.size(), ends.size());
+    std::vector<double> distances(ends.size(), widest);
+    const auto note = [&](std::size_t one, std::size_t other, double distance) {
+        if (!(distance < distances[one])) return;
+        distances[one] = distance;
+        nearest[one] = other;
+    };
+    for (std::size_t a = 0; a < ends.size(); ++a)
+        for (std::size_t b = a + 1; b < ends.size() && ends[b].at.x - ends[a].at.x < widest; ++b) {
+            if (ends[a].path == ends[b].path) continue;
+            const double distance = glm::distance(ends[a].at, ends[b].at);
+            note(a, b, distance);
+            note(b, a, distance);
+        }
+    return nearest;
+}
+
 } // namespace
 
 std::vector<Gap> gaps_of(const DrawnLines& drawn, glm::ivec2 picture) {
@@ -61,12 +81,12 @@ std::vector<Gap> gaps_of(const DrawnLines& drawn, glm::ivec2 picture) {
         first = end;
     }
     std::ranges::sort(loose, {}, [](const End& end) { return end.at.x; });
+    const std::vector<std::size_t> nearest = nearest_of(loose);
     std::vector<Gap> gaps;
-    for (auto a = loose.begin(); a != loose.end(); ++a)
-        for (auto b = a + 1; b != loose.end() && b->at.x - a->at.x < widest; ++b)
-            if (const double width = glm::distance(a->at, b->at);
-                width < widest && a->path != b->path)
-                gaps.push_back({glm::vec2{a->at}, static_cast<float>(width)});
+    for (std::size_t i = 0; i < loose.size(); ++i)
+        if (nearest[i] > i && nearest[i] < loose.size() && nearest[nearest[i]] == i)
+            gaps.push_back({glm::vec2{loose[i].at},
+                            static_cast<float>(glm::distance(loose[i].at, loose[nearest[i]].at))});
     std::ranges::stable_sort(gaps, std::ranges::greater{}, &Gap::width);
     return gaps;
 }

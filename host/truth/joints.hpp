@@ -15,8 +15,8 @@ struct Gap {
 };
 
 /// Pairs of ends of different paths less than a pixel apart, but farther than 0.02, as coordinates
-/// of a file are rounded; widest first. An end that lies on another path meets that one, and counts
-/// for no gap.
+/// of a file are rounded, each the nearest to the other; widest first. An end that lies on another
+/// path meets that one, and counts for no gap.
 std::vector<Gap> gaps_of(const DrawnLines& drawn, glm::ivec2 picture);
 
 } // namespace lineatlas
