@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -19,6 +20,7 @@
 #include "mesh_circles.hpp"
 #include "paths.hpp"
 #include "seen_ellipse.hpp"
+#include "segment_grid.hpp"
 #include "spline_edges.hpp"
 
 namespace lineatlas {
@@ -32,6 +34,7 @@ constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surfa
 /// The same, of points that have been left out of a mesh's silhouette by 0.05 already.
 constexpr double most_off_mesh = 0.05;
 constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
+constexpr double beside = 0.5;      ///< pixels; remove_overlaps() takes 0.25 at most
 constexpr double at_chord = 0.05;   ///< of what ends there, pixels, as simplified paths are off
 
 constexpr std::uint32_t none = EdgesByPlace::none;
@@ -164,6 +167,29 @@ class PathCurves::Finder {
     /// Whether the mesh has chords of circles.
     bool knows_chords() const { return !circles_of_mesh_.empty(); }
 
+    /// Of lines along each other one is drawn. A chord that another line runs along, and not that
+    /// line's arc, stays straight, so that one is near both.
+    void note_shared_chords(const std::vector<VectorPath>& paths) {
+        std::vector<Leg> legs;
+        SegmentGrid grid{size_};
+        for (const VectorPath& path : paths) {
+            if (path.kind == LineKind::hatching) continue;
+            const std::vector<Step> steps = steps_of(path);
+            for (std::uint32_t i = 0; i < steps.size(); ++i) {
+                const Leg leg{path.points[i].at, path.points[i + 1].at, steps[i], &path, i};
+                grid.insert(leg.a, leg.b, static_cast<std::uint32_t>(legs.size()));
+                legs.push_back(leg);
+            }
+        }
+        for (const Leg& leg : legs) {
+            if (!leg.step.is_chord || off_of(*leg.step.ellipse, leg.middle()) < on_curve) continue;
+            const auto is_other = [&](std::uint32_t i) { return runs_beside(leg, legs[i]); };
+            if (!std::ranges::any_of(grid.near(leg.a, leg.b, beside), is_other)) continue;
+            for (const VectorPiece& piece : leg.path->pieces)
+                if (piece.point == leg.point) shared_.insert(piece.segment);
+        }
+    }
+
     /// Takes out what is within chords: of points, those that other triangles made.
     void join_chords(VectorPath& path) {
         std::vector<std::uint32_t> circles(path.points.size(), MeshCircles::none);
@@ -241,6 +267,29 @@ class PathCurves::Finder {
             return edge == other.edge && on_surface == other.on_surface && on_mesh == other.on_mesh;
         }
     };
+
+    /// From a point of a path to the next one.
+    struct Leg {
+        glm::dvec2 a, b;
+        Step step;
+        const VectorPath* path;
+        std::uint32_t point;
+
+        glm::dvec2 middle() const { return 0.5 * (a + b); }
+    };
+
+    /// Whether another line is so near to a chord that one of both is drawn, and its arc is
+    /// elsewhere.
+    static bool runs_beside(const Leg& chord, const Leg& other) {
+        const glm::dvec2 way = chord.b - chord.a, along = other.b - other.a;
+        const double across = std::abs(way.x * along.y - way.y * along.x);
+        if (across > beside * std::max(glm::length(way), glm::length(along))) return false;
+        if (distance_to(chord.middle(), other.a, other.b) > beside &&
+            distance_to(other.middle(), chord.a, chord.b) > beside)
+            return false;
+        const Ellipse *own = chord.step.ellipse, *its = other.step.ellipse;
+        return its == nullptr || off_of(*own, its->towards(chord.middle())) > on_curve;
+    }
 
     static bool go_on(const Step& a, const Step& b) {
         return a.ellipse == b.ellipse ||
@@ -530,7 +579,7 @@ class PathCurves::Finder {
     /// Of a chord from corner to corner the circle that a mesh was cut from.
     const Ellipse* ellipse_of_chord(const VectorPath& path, const VectorPiece& piece) {
         const std::uint32_t number = circle_of_mesh(piece);
-        if (number == MeshCircles::none) return nullptr;
+        if (number == MeshCircles::none || shared_.contains(piece.segment)) return nullptr;
         const Ellipse* const ellipse = ellipse_of_mesh(number);
         const auto is_on = [&](std::size_t point) {
             return off_of(*ellipse, path.points[point].at) < on_curve;
@@ -699,9 +748,11 @@ class PathCurves::Finder {
     glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;
-    Ellipses ellipses_;           ///< of edges
-    Ellipses outlines_;           ///< of surfaces
-    Ellipses chords_;             ///< of circles of the mesh
+    Ellipses ellipses_; ///< of edges
+    Ellipses outlines_; ///< of surfaces
+    Ellipses chords_;   ///< of circles of the mesh
+    /// Segments that stay straight: chords of such circles.
+    std::unordered_set<std::uint32_t> shared_;
     std::deque<Ellipse> circles_; ///< about axes of surfaces
 };
 
@@ -747,6 +798,10 @@ std::vector<std::uint32_t> PathCurves::numbers(const std::vector<VectorPath>& pa
         result[seen[i].path] = number;
     }
     return result;
+}
+
+void PathCurves::keep_shared_chords(const std::vector<VectorPath>& paths) const {
+    if (finder_ && finder_->knows_chords()) finder_->note_shared_chords(paths);
 }
 
 std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {

@@ -34,6 +34,10 @@ class PathCurves {
     std::vector<std::uint32_t> numbers(const std::vector<VectorPath>& paths) const;
     static constexpr std::uint32_t no_curve = 0xFFFFFFFF;
 
+    /// Keeps chords of a mesh's circles straight that other lines run along: for find(), before
+    /// remove_overlaps() leaves one of both.
+    void keep_shared_chords(const std::vector<VectorPath>& paths) const;
+
     /// The points of a path, ascending, at which a curve begins or ends: where one touches a line
     /// or another curve, hardly anything bends.
     std::vector<std::uint32_t> joints(const VectorPath& path) const;

@@ -238,5 +238,22 @@ TEST(MeshCircles, AChordThatIsMetStays) {
     }
 }
 
+/// One line is drawn of both: along the chord, which is near both.
+TEST(MeshCircles, AChordThatAnotherLineRunsAlongStays) {
+    const std::vector<glm::vec3> polygon = ring(24);
+    Lines lines = lines_of(polygon, true);
+    lines.add(LineKind::crease,
+              {polygon[5] + glm::vec3{0, 0, 0.2F}, polygon[6] + glm::vec3{0, 0, 0.2F}});
+    EXPECT_NEAR(sweep_of(drawn_whole(lines.set)), 23 * pi / 12, 1e-5);
+    // Of the same circle it is the arc.
+    Lines rims = lines_of(polygon, true);
+    std::vector<glm::vec3> lower = polygon;
+    for (glm::vec3& corner : lower) corner.z += 0.2F;
+    rims.add(LineKind::crease, lower, true);
+    const VectorDrawing drawing = drawn_whole(rims.set);
+    EXPECT_EQ(drawing.paths.size(), 1U);
+    EXPECT_NEAR(sweep_of(drawing), 2 * pi, 1e-12);
+}
+
 } // namespace
 } // namespace lineatlas
