@@ -22,13 +22,16 @@ PathFigures figures_of(const Certificate& paths, const DrawingErrors& ink) {
     figures.missed_ink = ink.missed_pixels();
     figures.false_ink = ink.false_pixels();
     figures.ink_visible = ink.visible;
+    figures.paths = paths.paths;
+    figures.gaps = paths.gaps.size();
     return figures;
 }
 
 void print_paths_header() {
-    fmt::print("{:<28}{:>6}{:>11}{:>9}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>11}{:>11}\n",
-               "paths", "method", "visible px", "undec. %", "missed %", "false %", "mis1.5 %",
-               "fal1.5 %", "hidden %", "sure px", "off px", "mis. ink %", "false ink %");
+    fmt::print(
+        "{:<28}{:>6}{:>11}{:>9}{:>10}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>11}{:>11}{:>7}{:>6}\n",
+        "paths", "method", "visible px", "undec. %", "missed %", "false %", "mis1.5 %", "fal1.5 %",
+        "hidden %", "sure px", "off px", "mis. ink %", "false ink %", "paths", "gaps");
 }
 
 void print_paths(const PathReport& report) {
@@ -38,11 +41,11 @@ void print_paths(const PathReport& report) {
     };
     fmt::print(
         "{:<28}{:>6}{:>11.0f}{:>9.1f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.3f}{:>8.2f}{:>8.3f}"
-        "{:>11.4f}{:>11.4f}\n",
+        "{:>11.4f}{:>11.4f}{:>7}{:>6}\n",
         report.name, report.method, f.visible, percent(f.undecided), percent(f.missed),
         percent(f.false_drawn), percent(f.missed_wide), percent(f.false_drawn_wide),
         100 * f.hidden_share(), f.surely_wrong, f.off, 100 * f.missed_ink_share(),
-        100 * f.false_ink_share());
+        100 * f.false_ink_share(), f.paths, f.gaps);
 }
 
 } // namespace lineatlas::bench

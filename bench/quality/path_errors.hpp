@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "truth/certificate.hpp"
@@ -18,6 +19,8 @@ struct PathFigures {
     double ink = 0; ///< dark pixels
     double missed_ink = 0, false_ink = 0;
     double ink_visible = 0; ///< what `missed_ink` is a part of
+    std::size_t paths = 0;  ///< visible ones
+    std::size_t gaps = 0;   ///< between ends that nearly meet
 
     double missed_share() const { return share(missed, visible); }
     double false_share() const { return share(false_drawn, visible); }

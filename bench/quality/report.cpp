@@ -310,7 +310,9 @@ std::string json_text(const Report& report) {
             {"strict_hidden", rounded(f.hidden_share())},
             {"surely_wrong_pixels", rounded(f.surely_wrong)},
             {"missed_ink", rounded(f.missed_ink_share())},
-            {"false_ink", rounded(f.false_ink_share())}};
+            {"false_ink", rounded(f.false_ink_share())},
+            {"paths", f.paths},
+            {"gaps", f.gaps}};
     }
     for (const StudyReport& study : report.study) json_report["study"][study.name] = json(study);
     // File names need not be UTF-8, JSON must be.

@@ -51,13 +51,13 @@ void PathOptions::declare(CLI::App& app) {
         ->capture_default_str()
         ->group(group);
     app.add_option("--curves", curves_,
-                   "Circles, ellipses and curves of STEP, IGES and BREP files: as arcs and cubic "
-                   "curves (auto) or as chords (none)")
+                   "Circles, ellipses and curves of STEP, IGES and BREP files, and circles of "
+                   "meshes: as arcs and cubic curves (auto) or as chords (none)")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str()
         ->group(group);
     app.add_flag("--fit-arcs", fit_arcs_,
-                 "Find circles and arcs in other lines, too, within 0.02 pixels")
+                 "Find circles and arcs in other lines, too, as they are drawn")
         ->group(group);
     app.add_flag("--plotter", plotter_, "Order and join paths for the least travel of a pen")
         ->group(group);

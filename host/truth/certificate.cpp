@@ -49,9 +49,11 @@ std::string place_rows(const char* what, const std::vector<WrongPoint>& points, 
 
 } // namespace
 
-Certificate compare_lines(const EdgeTruth& truth, std::span<const DrawnPiece> legs) {
-    return {.wide = compare_paths(truth, legs, wide_reach),
-            .narrow = compare_paths(truth, legs, narrow_reach)};
+Certificate compare_lines(const EdgeTruth& truth, const DrawnLines& drawn) {
+    return {.wide = compare_paths(truth, drawn.legs, wide_reach),
+            .narrow = compare_paths(truth, drawn.legs, narrow_reach),
+            .paths = drawn.path_ends.size(),
+            .gaps = gaps_of(drawn, truth.size())};
 }
 
 std::string certificate_line(const Certificate& certificate) {
@@ -86,10 +88,17 @@ std::string certificate_table(const Certificate& certificate, std::size_t places
         text += row("hidden by their own edges", strict->hidden_share(), strict->hidden);
         text += fmt::format("{:<28}{:>22.2f} px\n", "surely wrong", strict->surely_wrong_pixels());
     }
+    text += fmt::format("{:<28}{:>9}\n{:<28}{:>9}\n", "visible paths", certificate.paths,
+                        "gaps between ends", certificate.gaps.size());
     std::string worst = place_rows("missed", narrow.missed, places) +
                         place_rows("false", narrow.false_drawn, places);
     if (certificate.strict)
         worst += place_rows("surely wrong", certificate.strict->surely_wrong, places);
+    for (std::size_t i = 0; i < std::min(places, certificate.gaps.size()); ++i) {
+        const Gap& gap = certificate.gaps[i];
+        worst += fmt::format("  {:<13}{:>8.2f} px at {:.1f},{:.1f}\n", "gap", gap.width, gap.at.x,
+                             gap.at.y);
+    }
     if (!worst.empty()) text += "Worst places, from the upper left corner:\n" + worst;
     return text;
 }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "drawn_lines.hpp"
+#include "joints.hpp"
 
 namespace lineatlas {
 
@@ -13,10 +14,12 @@ struct Certificate {
     DrawingErrors wide;                   ///< within 1.5 pixels
     DrawingErrors narrow;                 ///< within 0.5 pixels
     std::optional<StrictErrors> strict{}; ///< of a drawing with tags
+    std::size_t paths = 0;                ///< visible ones
+    std::vector<Gap> gaps{};              ///< gaps_of()
 };
 
-/// Compares all drawn legs with the truth. The result has no StrictErrors.
-Certificate compare_lines(const EdgeTruth& truth, std::span<const DrawnPiece> legs);
+/// Of all that is drawn, without StrictErrors.
+Certificate compare_lines(const EdgeTruth& truth, const DrawnLines& drawn);
 
 /// A certificate as one line, for a file's metadata.
 std::string certificate_line(const Certificate& certificate);

@@ -84,8 +84,11 @@ DrawingErrors compare_points(const EdgeTruth& truth, const std::vector<WrongPoin
     std::vector<glm::vec2> allowed, bars;
     for (const EdgePoint& point : truth.points()) {
         if (point.visibility == Visibility::hidden) continue;
-        allowed.push_back(point.at);
-        bars.push_back(0.5F * point.pixels * point.along);
+        for (const glm::vec2 at : {point.at, point.on_arc.value_or(point.at)}) {
+            allowed.push_back(at);
+            bars.push_back(0.5F * point.pixels * point.along);
+            if (!point.on_arc) break;
+        }
     }
     const PointGrid drawn_grid{places(drawn), truth.size()};
     const PointGrid allowed_grid{allowed, truth.size(), bars};
@@ -96,7 +99,10 @@ DrawingErrors compare_points(const EdgeTruth& truth, const std::vector<WrongPoin
         if (point.visibility == Visibility::undecided) errors.undecided += double{point.pixels};
         if (point.visibility != Visibility::visible || !point.required) continue;
         errors.visible += double{point.pixels};
-        if (!drawn_grid.any_within(at, missed_reach + rounding))
+        const auto is_drawn = [&](glm::dvec2 place) {
+            return drawn_grid.any_within(place, missed_reach + rounding);
+        };
+        if (!is_drawn(at) && !(point.on_arc && is_drawn(glm::dvec2{*point.on_arc})))
             errors.missed.push_back({point.at, point.pixels});
     }
     for (const WrongPoint& point : drawn) {

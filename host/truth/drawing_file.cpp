@@ -101,6 +101,7 @@ DrawingFile of_svg(const SourceFile& file) {
             for (const auto& [from, to] : *lines)
                 drawing.legs.push_back(
                     {(from - sheet.corner) / sheet.scale, (to - sheet.corner) / sheet.scale});
+            drawing.path_ends.push_back(drawing.legs.size());
         }
     }
     check_places(drawing, file.path);
@@ -143,6 +144,7 @@ void add_path(const nlohmann::json& path, DrawingFile& drawing) {
     if (path.contains("curves"))
         for (const nlohmann::json& one : path.at("curves")) curves.push_back(curve_of(one));
     append_legs(flattened(points, curves), drawing.legs);
+    drawing.path_ends.push_back(drawing.legs.size());
     if (!path.contains("pieces")) return;
     for (const nlohmann::json& piece : path.at("pieces")) {
         const std::size_t at = index(piece.at("point"));
@@ -214,7 +216,7 @@ DrawnLines find_segments(const DrawingFile& drawing, const LineSet& lines) {
         // edge.
         if (!is_new) known->second = DrawnPiece::unknown;
     }
-    DrawnLines drawn{.legs = drawing.legs, .pieces = {}};
+    DrawnLines drawn{.legs = drawing.legs, .pieces = {}, .path_ends = drawing.path_ends};
     for (const TaggedPiece& tag : drawing.tags) {
         const auto found = segments.find(pair_key(tag.p, tag.q));
         drawn.pieces.push_back(

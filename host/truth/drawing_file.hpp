@@ -18,10 +18,11 @@ struct TaggedPiece {
 
 /// A drawing in a file of to_svg() or to_json().
 struct DrawingFile {
-    glm::ivec2 size{0, 0};           ///< of the picture in pixels
-    std::string description{};       ///< the settings that made it
-    std::vector<DrawnPiece> legs{};  ///< DrawnLines::legs
-    std::vector<TaggedPiece> tags{}; ///< of JSON; empty if it was written without tags
+    glm::ivec2 size{0, 0};                ///< of the picture in pixels
+    std::string description{};            ///< the settings that made it
+    std::vector<DrawnPiece> legs{};       ///< DrawnLines::legs
+    std::vector<std::size_t> path_ends{}; ///< DrawnLines::path_ends
+    std::vector<TaggedPiece> tags{};      ///< of JSON; none if it was written without
 };
 
 /// Reads a drawing without lines on hidden layers. SVG on a page is scaled back to pixels. Throws

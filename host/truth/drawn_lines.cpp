@@ -13,6 +13,7 @@ DrawnLines drawn_lines(const VectorDrawing& drawing) {
         std::vector<glm::dvec2> points;
         for (const VectorPoint& point : path.points) points.push_back(point.at);
         append_legs(flattened(points, path.curves), drawn.legs);
+        drawn.path_ends.push_back(drawn.legs.size());
         for (const VectorPiece& piece : path.pieces) {
             const glm::dvec2 a = path.points[piece.point].at;
             const glm::dvec2 b = path.points[(piece.point + 1) % path.points.size()].at;

@@ -11,9 +11,9 @@ namespace lineatlas {
 
 /// The visible lines of a drawing as paths, in pixels.
 struct DrawnLines {
-    std::vector<DrawnPiece> legs; ///< all drawn lines, from point to point, of unknown segments
-    /// All drawn lines by segment; empty if the drawing has no tags.
-    std::vector<DrawnPiece> pieces;
+    std::vector<DrawnPiece> legs;   ///< all that is drawn, from point to point, of unknown segments
+    std::vector<DrawnPiece> pieces; ///< the same by segment; empty where the drawing has no tags
+    std::vector<std::size_t> path_ends{}; ///< per path, one past its last one of `legs`
 };
 
 /// Adds the legs from each point to the next.

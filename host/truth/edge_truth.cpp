@@ -156,11 +156,23 @@ class Sampler {
                                    : hidden[i] != 0 ? Visibility::hidden
                                                     : Visibility::visible,
                                    drawn == Drawn::surely));
+            points.back().on_arc = on_arc(middle[i].spine);
         }
     }
 
-    /// Adds points of a contour. Rays just beyond the surface decide, and rays a pixel to either
-    /// side.
+    /// Where a place of a chord is on the circle that its mesh was cut from.
+    std::optional<glm::vec2> on_arc(const glm::dvec3& place) const {
+        const MeshCircles* const circles = options_.circles;
+        const std::uint32_t number =
+            circles != nullptr ? circles->circle_of(index_) : MeshCircles::none;
+        if (number == MeshCircles::none) return {};
+        const EdgeCurve& circle = circles->circle(number);
+        const glm::dvec3 out = place - circle.center;
+        const glm::dvec3 on = circle.center + glm::length(circle.u) / glm::length(out) * out;
+        return glm::vec2{projection_.picture(projection_.clip_from_world * glm::dvec4{on, 1})};
+    }
+
+    /// Rays just beyond the surface decide, and a pixel to either side.
     void append_contour(std::uint32_t face, std::vector<EdgePoint>& points) const {
         const LineSet& lines = scene_.lines();
         const auto crossing = contour_crossing(lines, projection_, face);

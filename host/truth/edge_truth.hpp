@@ -9,6 +9,7 @@
 
 #include "blocking.hpp"
 #include "ray_scene.hpp"
+#include "vector/mesh_circles.hpp"
 
 // Where the lines of a model are visible, point by point: the truth for drawings as paths.
 // Silhouettes of smooth surfaces run where the surface itself turns away (contour_crossing.hpp).
@@ -32,12 +33,16 @@ struct EdgePoint {
     /// Whether the segment is surely a line. Segments near the threshold of being a silhouette may
     /// be drawn and may be missing.
     bool required;
+    /// Of a chord that a mesh was cut to: the place over it on the circle. A line may run along
+    /// either.
+    std::optional<glm::vec2> on_arc{};
 };
 
 struct EdgeTruthOptions {
     double step = 0.25; ///< pixels between points at most
     BlockingRule rule{};
     unsigned threads = 2;
+    const MeshCircles* circles = nullptr; ///< of the scene's lines; null: none are known
 };
 
 class EdgeTruth {

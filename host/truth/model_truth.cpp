@@ -21,10 +21,6 @@ RayScene scene_of(const Mesh& mesh, const LineSet& lines, LineOptions options) {
     return {lines, smooth_patches(extract_lines(mesh, options))};
 }
 
-EdgeTruth look(const RayScene& scene, const Camera& camera) {
-    return {scene, camera, {.threads = std::max(1U, std::thread::hardware_concurrency())}};
-}
-
 } // namespace
 
 struct ModelTruth::Fine {
@@ -40,10 +36,18 @@ struct ModelTruth::Fine {
 ModelTruth::ModelTruth(const Mesh& mesh, const LineSet& lines, const LineOptions& options)
     : scene_(scene_of(mesh, lines, options)) {
     const std::uint32_t parts = fine_parts(mesh);
+    if (mesh.known_edges.empty()) circles_.emplace(lines);
     if (parts > 1) fine_ = std::make_unique<Fine>(mesh, parts, options);
 }
 
 ModelTruth::~ModelTruth() = default;
+
+EdgeTruth ModelTruth::look(const RayScene& scene, const Camera& camera) const {
+    return {scene,
+            camera,
+            {.threads = std::max(1U, std::thread::hardware_concurrency()),
+             .circles = circles_ ? &*circles_ : nullptr}};
+}
 
 EdgeTruth ModelTruth::seen(const Camera& camera) const {
     return look(fine_ ? fine_->scene : scene_, camera);
@@ -51,7 +55,7 @@ EdgeTruth ModelTruth::seen(const Camera& camera) const {
 
 Certificate ModelTruth::certify(const EdgeTruth& truth, const Camera& camera,
                                 const DrawnLines& drawn) const {
-    Certificate certificate = compare_lines(truth, drawn.legs);
+    Certificate certificate = compare_lines(truth, drawn);
     if (drawn.pieces.empty()) return certificate;
     // Pieces name edges of the drawn triangles.
     certificate.strict = fine_ ? compare_strictly(look(scene_, camera), drawn.pieces)

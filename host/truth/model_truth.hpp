@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "certificate.hpp"
 #include "edge_truth.hpp"
@@ -9,7 +10,8 @@ namespace lineatlas {
 
 /// The truth with which drawings of one model are compared. If the model has surfaces
 /// (Mesh::surfaces), the truth is not the drawn triangles, but finer ones, with edges on the file's
-/// curves and silhouettes on the surfaces themselves.
+/// curves and silhouettes on the surfaces themselves. If it has only triangles, lines may run along
+/// the circles that these were cut from (MeshCircles), or along chords.
 class ModelTruth {
   public:
     /// `lines`: the drawn lines, extracted from the mesh by `options`; they must outlive this
@@ -28,8 +30,11 @@ class ModelTruth {
   private:
     struct Fine;
 
+    EdgeTruth look(const RayScene& scene, const Camera& camera) const;
+
     RayScene scene_;
-    std::unique_ptr<Fine> fine_; ///< null: only the drawn triangles are known
+    std::optional<MeshCircles> circles_; ///< of a mesh whose file knows none
+    std::unique_ptr<Fine> fine_; ///< null: the triangles that are drawn are all that is known
 };
 
 } // namespace lineatlas

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
+
+#include "circle_fitting.hpp"
 
 namespace lineatlas {
 namespace {
@@ -22,78 +22,21 @@ constexpr double largest_step = 30.5 * degree; ///< a twelfth of a circle, and r
 /// Small circles lose points when paths are simplified: chords so near to the arc are as good.
 constexpr double small_sagitta = 0.06; ///< pixels
 
-using Points = std::span<const OutlinePoint>;
+using Points = std::span<const glm::dvec2>;
 
-struct Circle {
-    glm::dvec2 center;
-    double radius;
-
-    double distance(glm::dvec2 point) const { return glm::distance(point, center) - radius; }
-    glm::dvec2 nearest(glm::dvec2 point) const {
-        return center + radius * glm::normalize(point - center);
-    }
-    /// The angle from one point to the next, -180 to 180 degrees.
-    double angle(glm::dvec2 from, glm::dvec2 to) const {
-        const glm::dvec2 a = from - center;
-        const glm::dvec2 b = to - center;
-        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-    }
-    double sagitta(double angle) const { return radius * (1 - std::cos(0.5 * angle)); }
-};
-
-/// The circle with the least squares of a point's power: near to the best, and needs no start.
-std::optional<Circle> rough_circle(Points points) {
-    glm::dvec2 mean{0};
-    for (const OutlinePoint& point : points) mean += point.at;
-    mean /= static_cast<double>(points.size());
-    glm::dmat3 normal{0};
-    glm::dvec3 right{0};
-    for (const OutlinePoint& point : points) {
-        const glm::dvec2 at = point.at - mean;
-        const glm::dvec3 row{at, 1};
-        normal += glm::outerProduct(row, row);
-        right += row * glm::dot(at, at);
-    }
-    const double size = normal[0][0] + normal[1][1];
-    if (!(std::abs(glm::determinant(normal)) > 1e-12 * size * size)) return std::nullopt;
-    const glm::dvec3 found = glm::inverse(normal) * right;
-    const glm::dvec2 center = 0.5 * glm::dvec2{found};
-    const double squared = found.z + glm::dot(center, center);
-    if (!(squared > 0)) return std::nullopt;
-    return Circle{mean + center, std::sqrt(squared)};
-}
-
-/// The circle with the least squares of distances (Gauss-Newton).
-std::optional<Circle> fit_circle(Points points) {
-    std::optional<Circle> circle = rough_circle(points);
-    constexpr int rounds = 3;
-    for (int round = 0; circle && round < rounds; ++round) {
-        glm::dmat3 normal{0};
-        glm::dvec3 right{0};
-        for (const OutlinePoint& point : points) {
-            const glm::dvec2 out = point.at - circle->center;
-            const double length = glm::length(out);
-            if (!(length > 0)) return std::nullopt;
-            const glm::dvec3 row{out / length, 1};
-            normal += glm::outerProduct(row, row);
-            right += row * (length - circle->radius);
-        }
-        if (!(std::abs(glm::determinant(normal)) > 1e-12)) return std::nullopt;
-        const glm::dvec3 change = glm::inverse(normal) * right;
-        circle->center += glm::dvec2{change};
-        circle->radius += change.z;
-    }
-    if (circle && !(circle->radius > tolerance)) return std::nullopt;
-    return circle;
+/// None of circles that the tolerance holds.
+std::optional<Circle> circle_of(Points points) {
+    const std::optional<Circle> circle = fit_circle(points);
+    return circle && circle->radius > tolerance ? circle : std::nullopt;
 }
 
 /// Whether points lie on the circle one after the other, and how far round they go.
 std::optional<double> sweep_on(const Circle& circle, Points points) {
     double sweep = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!(std::abs(circle.distance(points[i].at)) <= tolerance)) return std::nullopt;
+        if (!(std::abs(circle.distance(points[i])) <= tolerance)) return std::nullopt;
         if (i == 0) continue;
-        const double step = circle.angle(points[i - 1].at, points[i].at);
+        const double step = circle.angle(points[i - 1], points[i]);
         const double width = std::abs(step);
         if (width > largest_step && circle.sagitta(width) > small_sagitta) return std::nullopt;
         if (step == 0 || (sweep != 0 && (step > 0) != (sweep > 0))) return std::nullopt;
@@ -110,17 +53,18 @@ struct FoundArc {
 
 class ArcFinder {
   public:
-    explicit ArcFinder(const Outline& outline) : points_(outline.points), closed_(outline.closed) {
+    explicit ArcFinder(const Outline& outline) : closed_(outline.closed) {
+        for (const OutlinePoint& point : outline.points) points_.push_back(point.at);
         // The way back to the first point is one like all others.
         if (closed_) points_.push_back(points_.front());
     }
 
     std::optional<Outline> whole_circle() const {
         if (!closed_ || points_.size() <= fewest_points) return std::nullopt;
-        const std::optional<Circle> circle = fit_circle(Points{points_}.first(points_.size() - 1));
+        const std::optional<Circle> circle = circle_of(Points{points_}.first(points_.size() - 1));
         const auto sweep = circle ? sweep_on(*circle, points_) : std::nullopt;
         if (!sweep || std::abs(std::abs(*sweep) - 2 * std::numbers::pi) > 0.01) return std::nullopt;
-        const glm::dvec2 start = circle->nearest(points_.front().at);
+        const glm::dvec2 start = circle->nearest(points_.front());
         const double bulge = *sweep > 0 ? 1 : -1;
         return Outline{.points = {{start, bulge}, {2.0 * circle->center - start, bulge}},
                        .closed = true};
@@ -163,14 +107,14 @@ class ArcFinder {
 
     Outline outline_of(const std::vector<Piece>& pieces) const {
         Outline outline{.points = {}, .closed = closed_};
-        OutlinePoint here = points_.front();
+        OutlinePoint here{points_.front()};
         for (const Piece& piece : pieces) {
             if (piece.arc) {
                 if (piece.first == 0) here.at = piece.arc->start;
                 here.bulge = std::tan(0.25 * piece.arc->sweep);
             }
             outline.points.push_back(here);
-            here = {piece.arc ? piece.arc->end : points_[piece.last].at};
+            here = {piece.arc ? piece.arc->end : points_[piece.last]};
         }
         if (!closed_) outline.points.push_back(here);
         return outline;
@@ -178,8 +122,8 @@ class ArcFinder {
 
     /// The angle by which the way turns at the end of a piece, towards the next one.
     double turn_between(const Piece& piece, const Piece& next) const {
-        const glm::dvec2 a = points_[piece.last].at - points_[piece.last - 1].at;
-        const glm::dvec2 b = points_[next.first + 1].at - points_[next.first].at;
+        const glm::dvec2 a = points_[piece.last] - points_[piece.last - 1];
+        const glm::dvec2 b = points_[next.first + 1] - points_[next.first];
         return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
     }
 
@@ -226,13 +170,13 @@ class ArcFinder {
         const std::size_t count = last - first + 1 - cut_start - cut_end;
         if (count < fewest_points - 1) return std::nullopt;
         const Points sure = Points{points_}.subspan(first + cut_start, count);
-        const std::optional<Circle> circle = fit_circle(sure);
+        const std::optional<Circle> circle = circle_of(sure);
         const auto sweep = circle ? sweep_on(*circle, sure) : std::nullopt;
         if (!sweep) return std::nullopt;
         double widest = 0;
         for (std::size_t i = 1; i < sure.size(); ++i)
-            widest = std::max(widest, std::abs(circle->angle(sure[i - 1].at, sure[i].at)));
-        FoundArc arc{*circle, points_[first].at, points_[last].at, *sweep};
+            widest = std::max(widest, std::abs(circle->angle(sure[i - 1], sure[i])));
+        FoundArc arc{*circle, points_[first], points_[last], *sweep};
         const auto take_end = [&](glm::dvec2 inner, glm::dvec2& end, double direction) {
             const double inside = -circle->distance(end);
             const double step = direction * circle->angle(inner, end);
@@ -242,8 +186,8 @@ class ArcFinder {
             arc.sweep += step;
             return true;
         };
-        if (cut_start != 0 && !take_end(sure.front().at, arc.start, -1)) return std::nullopt;
-        if (cut_end != 0 && !take_end(sure.back().at, arc.end, 1)) return std::nullopt;
+        if (cut_start != 0 && !take_end(sure.front(), arc.start, -1)) return std::nullopt;
+        if (cut_end != 0 && !take_end(sure.back(), arc.end, 1)) return std::nullopt;
         if (std::abs(arc.sweep) > 1.99 * std::numbers::pi) return std::nullopt; // comes round
         return arc;
     }
@@ -266,15 +210,15 @@ class ArcFinder {
     /// Cheaply what no arc is: looks at the last three points of a run.
     static bool turns_one_way(Points run) {
         const auto turn = [&](std::size_t i) {
-            const glm::dvec2 a = run[i].at - run[i - 1].at;
-            const glm::dvec2 b = run[i + 1].at - run[i].at;
+            const glm::dvec2 a = run[i] - run[i - 1];
+            const glm::dvec2 b = run[i + 1] - run[i];
             return a.x * b.y - a.y * b.x;
         };
         const std::size_t last = run.size() - 2;
         return turn(1) * turn(last) > 0;
     }
 
-    std::vector<OutlinePoint> points_;
+    std::vector<glm::dvec2> points_;
     bool closed_;
 };
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -15,8 +17,10 @@
 
 #include "cubic_fitting.hpp"
 #include "edges_by_place.hpp"
+#include "mesh_circles.hpp"
 #include "paths.hpp"
 #include "seen_ellipse.hpp"
+#include "segment_grid.hpp"
 #include "spline_edges.hpp"
 
 namespace lineatlas {
@@ -30,11 +34,25 @@ constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surfa
 /// The same, of points that have been left out of a mesh's silhouette by 0.05 already.
 constexpr double most_off_mesh = 0.05;
 constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
+constexpr double beside = 0.5;      ///< pixels; remove_overlaps() takes 0.25 at most
+constexpr double at_chord = 0.05;   ///< of what ends there, pixels, as simplified paths are off
 
 constexpr std::uint32_t none = EdgesByPlace::none;
 
 double angle_of(glm::dvec2 unrolled) {
     return std::atan2(unrolled.y, unrolled.x);
+}
+
+/// Where lines of the model end on the screen, by x.
+std::vector<glm::dvec2> ends_of(const std::vector<VectorPath>& paths) {
+    std::vector<glm::dvec2> ends;
+    for (const VectorPath& path : paths) {
+        if (path.closed || path.kind == LineKind::hatching) continue;
+        for (const VectorPoint* point : {&path.points.front(), &path.points.back()})
+            ends.push_back(point->at);
+    }
+    std::ranges::sort(ends, {}, &glm::dvec2::x);
+    return ends;
 }
 
 /// From one to the other the shorter way round.
@@ -46,8 +64,11 @@ double angle_between(glm::dvec2 a, glm::dvec2 b) {
 
 class PathCurves::Finder {
   public:
-    Finder(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), edges_(mesh), splines_(mesh), eye_(camera.eye()),
+    /// Where lines end on the screen, by x.
+    using Ends = std::vector<glm::dvec2>;
+
+    Finder(const LineSet& lines, const Mesh& mesh, const Camera& camera)
+        : mesh_(mesh), edges_(mesh), splines_(mesh), circles_of_mesh_(lines), eye_(camera.eye()),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
           size_(camera.size) {}
 
@@ -59,9 +80,10 @@ class PathCurves::Finder {
         return found;
     }
 
-    /// That of all steps of a path, or null.
+    /// That of all steps of a path, or null; circles of meshes are none.
     const Ellipse* ellipse_of(const VectorPath& path) {
         const std::vector<Step> steps = steps_of(path);
+        if (steps.front().is_chord) return nullptr;
         for (std::size_t i = 1; i < steps.size(); ++i)
             if (!go_on(steps[i - 1], steps[i])) return nullptr;
         return steps.front().ellipse;
@@ -142,8 +164,79 @@ class PathCurves::Finder {
         }
     }
 
-    void find(VectorPath& path) {
+    /// Whether the mesh has chords of circles.
+    bool knows_chords() const { return !circles_of_mesh_.empty(); }
+
+    /// Of lines along each other one is drawn. A chord that another line runs along, and not that
+    /// line's arc, stays straight, so that one is near both.
+    void note_shared_chords(const std::vector<VectorPath>& paths) {
+        std::vector<Leg> legs;
+        SegmentGrid grid{size_};
+        for (const VectorPath& path : paths) {
+            if (path.kind == LineKind::hatching) continue;
+            const std::vector<Step> steps = steps_of(path);
+            for (std::uint32_t i = 0; i < steps.size(); ++i) {
+                const Leg leg{path.points[i].at, path.points[i + 1].at, steps[i], &path, i};
+                grid.insert(leg.a, leg.b, static_cast<std::uint32_t>(legs.size()));
+                legs.push_back(leg);
+            }
+        }
+        for (const Leg& leg : legs) {
+            if (!leg.step.is_chord || off_of(*leg.step.ellipse, leg.middle()) < on_curve) continue;
+            const auto is_other = [&](std::uint32_t i) { return runs_beside(leg, legs[i]); };
+            if (!std::ranges::any_of(grid.near(leg.a, leg.b, beside), is_other)) continue;
+            for (const VectorPiece& piece : leg.path->pieces)
+                if (piece.point == leg.point) shared_.insert(piece.segment);
+        }
+    }
+
+    /// Takes out what is within chords: of points, those that other triangles made.
+    void join_chords(VectorPath& path) {
+        std::vector<std::uint32_t> circles(path.points.size(), MeshCircles::none);
+        for (const VectorPiece& piece : path.pieces) circles[piece.point] = circle_of_mesh(piece);
+        for (std::size_t i = path.points.size() - 1; i-- > 1;)
+            if (circles[i] != MeshCircles::none && circles[i - 1] == circles[i] &&
+                is_within_chord(path, i, circles[i]))
+                drop_point(path, i);
+    }
+
+    /// Where one pen hands over to another within a chord, both end on its arc. Where a line
+    /// becomes hidden it ends as the chord does.
+    void meet_on_arcs(std::vector<VectorPath>& paths) {
+        struct PenEnd {
+            VectorPath* path;
+            bool at_end;
+            std::uint32_t circle;
+
+            auto order() const {
+                const VectorPoint& point = point_at(*path, at_end);
+                return std::tuple{circle, path->visible, point.at.x, point.at.y};
+            }
+        };
+        std::vector<PenEnd> ends;
+        for (VectorPath& path : paths) {
+            if (path.closed || path.pieces.empty()) continue;
+            for (const bool at_end : {false, true}) {
+                const VectorPiece& piece = at_end ? path.pieces.back() : path.pieces.front();
+                const std::uint32_t circle = circle_of_mesh(piece);
+                if (circle != MeshCircles::none) ends.push_back({&path, at_end, circle});
+            }
+        }
+        std::ranges::sort(ends, {}, &PenEnd::order);
+        for (std::size_t i = 1; i < ends.size(); ++i) {
+            if (ends[i - 1].order() != ends[i].order()) continue;
+            const Ellipse* const ellipse = ellipse_of_mesh(ends[i].circle);
+            if (ellipse == nullptr) continue;
+            const glm::dvec2 at = ellipse->towards(point_at(*ends[i].path, ends[i].at_end).at);
+            for (const PenEnd& end : {ends[i - 1], ends[i]})
+                point_at(*end.path, end.at_end).at = at;
+        }
+    }
+
+    void find(VectorPath& path, const Ends& ends) {
         std::vector<Step> steps = steps_of(path);
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            if (steps[i].is_chord && is_met(*steps[i].ellipse, path, i, ends)) steps[i] = {};
         if (path.closed) {
             begin_between_curves(path, steps);
         } else if (!path.pieces.empty()) {
@@ -166,6 +259,7 @@ class PathCurves::Finder {
         std::uint32_t edge = none;
         bool on_surface = false;          ///< a silhouette that lies on a known one
         bool on_mesh = false;             ///< a smooth one of triangles
+        bool is_chord = false;            ///< a whole one of a circle of the mesh
         const Ellipse* ellipse = nullptr; ///< that of the edge, or of such a silhouette
 
         bool is_smooth() const { return on_surface || on_mesh || edge != none; }
@@ -173,6 +267,29 @@ class PathCurves::Finder {
             return edge == other.edge && on_surface == other.on_surface && on_mesh == other.on_mesh;
         }
     };
+
+    /// From a point of a path to the next one.
+    struct Leg {
+        glm::dvec2 a, b;
+        Step step;
+        const VectorPath* path;
+        std::uint32_t point;
+
+        glm::dvec2 middle() const { return 0.5 * (a + b); }
+    };
+
+    /// Whether another line is so near to a chord that one of both is drawn, and its arc is
+    /// elsewhere.
+    static bool runs_beside(const Leg& chord, const Leg& other) {
+        const glm::dvec2 way = chord.b - chord.a, along = other.b - other.a;
+        const double across = std::abs(way.x * along.y - way.y * along.x);
+        if (across > beside * std::max(glm::length(way), glm::length(along))) return false;
+        if (distance_to(chord.middle(), other.a, other.b) > beside &&
+            distance_to(other.middle(), chord.a, chord.b) > beside)
+            return false;
+        const Ellipse *own = chord.step.ellipse, *its = other.step.ellipse;
+        return its == nullptr || off_of(*own, its->towards(chord.middle())) > on_curve;
+    }
 
     static bool go_on(const Step& a, const Step& b) {
         return a.ellipse == b.ellipse ||
@@ -432,17 +549,89 @@ class PathCurves::Finder {
             const bool on_surface = surface != KnownSurfaces::none;
             const bool on_mesh = !on_surface && is_contour(piece.source);
             const std::uint32_t edge = on_surface || on_mesh ? none : edges_.edge_of(piece.source);
+            const Ellipse* const chord = ellipse_of_chord(path, piece);
             const Ellipse* const ellipse =
-                on_surface ? ellipse_of_surface(surface, path.points[piece.point].world)
-                           : ellipse_of(edge);
+                chord != nullptr ? chord
+                : on_surface     ? ellipse_of_surface(surface, path.points[piece.point].world)
+                                 : ellipse_of(edge);
             if (!known[piece.point])
-                step = {
-                    .edge = edge, .on_surface = on_surface, .on_mesh = on_mesh, .ellipse = ellipse};
+                step = {.edge = edge,
+                        .on_surface = on_surface,
+                        .on_mesh = on_mesh,
+                        .is_chord = chord != nullptr,
+                        .ellipse = ellipse};
             else if (!go_on(step, {.ellipse = ellipse}))
-                step.ellipse = nullptr;
+                step = {.edge = step.edge, .on_surface = step.on_surface, .on_mesh = step.on_mesh};
             known[piece.point] = true;
         }
         return steps;
+    }
+
+    /// That of which a piece is a chord, or MeshCircles::none.
+    std::uint32_t circle_of_mesh(const VectorPiece& piece) const {
+        return edges_.edge_of(piece.source) != none ? MeshCircles::none
+                                                    : circles_of_mesh_.circle_of(piece.segment);
+    }
+    const Ellipse* ellipse_of_mesh(std::uint32_t number) {
+        return ellipse_of(chords_, number, [&] { return circles_of_mesh_.circle(number); });
+    }
+
+    /// Of a chord from corner to corner the circle that a mesh was cut from.
+    const Ellipse* ellipse_of_chord(const VectorPath& path, const VectorPiece& piece) {
+        const std::uint32_t number = circle_of_mesh(piece);
+        if (number == MeshCircles::none || shared_.contains(piece.segment)) return nullptr;
+        const Ellipse* const ellipse = ellipse_of_mesh(number);
+        const auto is_on = [&](std::size_t point) {
+            return off_of(*ellipse, path.points[point].at) < on_curve;
+        };
+        return ellipse != nullptr && is_on(piece.point) && is_on(piece.point + 1) ? ellipse
+                                                                                  : nullptr;
+    }
+
+    /// Pixels between a point and the ellipse, at most.
+    static double off_of(const Ellipse& ellipse, glm::dvec2 at) {
+        const glm::dvec2 out = ellipse.unrolled(at);
+        const double length = glm::length(out);
+        return std::abs(1 - 1 / length) * glm::distance(at, ellipse.arc(0, 0).center);
+    }
+
+    /// Whether a line ends on the chord from a point to the next one so far from its arc that it
+    /// would no longer meet it.
+    static bool is_met(const Ellipse& ellipse, const VectorPath& path, std::size_t point,
+                       const Ends& ends) {
+        const glm::dvec2 a = path.points[point].at, b = path.points[point + 1].at;
+        const auto first =
+            std::ranges::lower_bound(ends, std::min(a.x, b.x) - at_chord, {}, &glm::dvec2::x);
+        const auto last =
+            std::ranges::upper_bound(ends, std::max(a.x, b.x) + at_chord, {}, &glm::dvec2::x);
+        return std::any_of(first, last, [&](glm::dvec2 end) {
+            return distance_to(end, a, b) < at_chord && off_of(ellipse, end) > on_curve;
+        });
+    }
+
+    /// Whether a point divides a chord that is straight.
+    bool is_within_chord(const VectorPath& path, std::size_t point, std::uint32_t number) {
+        const Ellipse* const ellipse = ellipse_of_mesh(number);
+        constexpr double rounding = 0.005; // pixels
+        return ellipse != nullptr && off_of(*ellipse, path.points[point].at) > on_curve &&
+               distance_to(path.points[point].at, path.points[point - 1].at,
+                           path.points[point + 1].at) < rounding;
+    }
+
+    static void drop_point(VectorPath& path, std::size_t point) {
+        const glm::dvec2 a = path.points[point - 1].at, b = path.points[point + 1].at;
+        const double share = share_along(path.points[point].at, a, b);
+        for (VectorPiece& piece : path.pieces) {
+            if (piece.point + 1 < point || piece.point > point) {
+                if (piece.point > point) --piece.point;
+                continue;
+            }
+            const double from = piece.point == point ? share : 0, to = from == 0 ? share : 1;
+            piece.from = static_cast<float>(std::lerp(from, to, double{piece.from}));
+            piece.to = static_cast<float>(std::lerp(from, to, double{piece.to}));
+            piece.point = static_cast<std::uint32_t>(point - 1);
+        }
+        path.points.erase(path.points.begin() + static_cast<std::ptrdiff_t>(point));
     }
 
     /// A loop that began within a curve would have it in two.
@@ -517,7 +706,7 @@ class PathCurves::Finder {
         const VectorArc arc = ellipse.arc(from, sweep);
         path.curves.push_back(
             {.first = first, .last = last, .arc = arc, .edge = steps[first].edge});
-        if (path.closed) return;
+        if (path.closed || steps[first].is_chord) return;
         if (first == 0) path.points.front().at = arc.at(from);
         if (last == steps.size()) path.points.back().at = arc.at(from + sweep);
     }
@@ -555,16 +744,20 @@ class PathCurves::Finder {
     const Mesh& mesh_;
     EdgesByPlace edges_;
     SplineEdges splines_;
+    MeshCircles circles_of_mesh_;
     glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;
-    Ellipses ellipses_;           ///< of edges
-    Ellipses outlines_;           ///< of surfaces
+    Ellipses ellipses_; ///< of edges
+    Ellipses outlines_; ///< of surfaces
+    Ellipses chords_;   ///< of circles of the mesh
+    /// Segments that stay straight: chords of such circles.
+    std::unordered_set<std::uint32_t> shared_;
     std::deque<Ellipse> circles_; ///< about axes of surfaces
 };
 
-PathCurves::PathCurves(const Mesh* mesh, const Camera& camera) {
-    if (mesh != nullptr) finder_ = std::make_unique<Finder>(*mesh, camera);
+PathCurves::PathCurves(const LineSet& lines, const Mesh* mesh, const Camera& camera) {
+    if (mesh != nullptr) finder_ = std::make_unique<Finder>(lines, *mesh, camera);
 }
 
 PathCurves::~PathCurves() = default;
@@ -607,13 +800,23 @@ std::vector<std::uint32_t> PathCurves::numbers(const std::vector<VectorPath>& pa
     return result;
 }
 
+void PathCurves::keep_shared_chords(const std::vector<VectorPath>& paths) const {
+    if (finder_ && finder_->knows_chords()) finder_->note_shared_chords(paths);
+}
+
 std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {
     return finder_ ? finder_->joints(path) : std::vector<std::uint32_t>{};
 }
 
 void PathCurves::find(std::vector<VectorPath>& paths) const {
     if (!finder_) return;
-    for (VectorPath& path : paths) finder_->find(path);
+    Finder::Ends ends;
+    if (finder_->knows_chords()) {
+        for (VectorPath& path : paths) finder_->join_chords(path);
+        finder_->meet_on_arcs(paths);
+        ends = ends_of(paths);
+    }
+    for (VectorPath& path : paths) finder_->find(path, ends);
 }
 
 } // namespace lineatlas

@@ -161,10 +161,11 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     drawing.paths = chain_strips(lines, pieces, strips, style.pens.empty() ? nullptr : &by_rule);
     drop_invisible(drawing);
     fair(lines, drawing.paths);
-    const PathCurves curves{options.mesh, camera};
+    const PathCurves curves{lines, options.mesh, camera};
     curves.bend(drawing.paths);
     simplify(drawing.paths, options.tolerance, curves);
     curves.name(drawing.paths);
+    curves.keep_shared_chords(drawing.paths);
     const std::vector<std::uint32_t> along = curves.numbers(drawing.paths);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture, along);
     drop_short(camera, drawing.paths);

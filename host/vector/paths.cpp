@@ -23,6 +23,16 @@ VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec
     return path;
 }
 
+double share_along(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 way = b - a;
+    const double squared = glm::dot(way, way);
+    return squared > 0 ? std::clamp(glm::dot(point - a, way) / squared, 0.0, 1.0) : 0;
+}
+
+double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    return glm::distance(point, a + (b - a) * share_along(point, a, b));
+}
+
 double length_of(const VectorPath& path) {
     double length = 0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {

@@ -13,6 +13,12 @@ namespace lineatlas {
 VectorPath path_through(LineKind kind, bool visible, const std::vector<glm::dvec2>& points,
                         double depth = 0.5);
 
+/// Where along the way from a to b a point is, 0 to 1.
+double share_along(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b);
+
+/// Pixels between a point and that way.
+double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b);
+
 /// Length on the screen, pixels.
 double length_of(const VectorPath& path);
 

@@ -39,6 +39,11 @@ class Ellipse {
                 glm::dot(out, glm::dvec2{-arc_.major.y, arc_.major.x}) / (squared * arc_.ratio)};
     }
 
+    /// The point of it in the direction of another from the centre.
+    glm::dvec2 towards(glm::dvec2 at) const {
+        return arc_.center + (at - arc_.center) / glm::length(unrolled(at));
+    }
+
     double minor() const { return arc_.ratio * glm::length(arc_.major); }
 
     /// Whether it is the same within a thousandth of a pixel.

@@ -12,17 +12,6 @@ namespace {
 
 constexpr double shortest_path = 0.01;
 
-/// Where along the way from a to b a point is.
-double share_along(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 way = b - a;
-    const double squared = glm::dot(way, way);
-    return squared > 0 ? std::clamp(glm::dot(point - a, way) / squared, 0.0, 1.0) : 0;
-}
-
-double distance_to(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-    return glm::distance(point, a + (b - a) * share_along(point, a, b));
-}
-
 /// The point between two others that is farthest from the line between them.
 std::pair<std::size_t, double> farthest(const std::vector<VectorPoint>& points, std::size_t first,
                                         std::size_t last) {

@@ -286,9 +286,9 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              "The drawing as SVG. page: \"a4\", \"300x200mm\", ...; none: the picture. margin:\n"
              "\"10mm\", .... plotter: ordered for the least travel of a pen. tags: each path says\n"
              "where it comes from. transparent: without the paper. curves: edges that the file\n"
-             "knows to be round leave as arcs of circles and ellipses. fit_arcs: of other lines, "
-             "too,\n"
-             "what is round within 0.02 pixels becomes circles and arcs.")
+             "knows to be round, and circles that a mesh was cut from, leave as arcs of circles\n"
+             "and ellipses. fit_arcs: of other lines, too, what is round within 0.02 pixels\n"
+             "becomes circles and arcs.")
         .def("to_dxf", &dxf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("curves") = true, py::arg("fit_arcs") = false, progress,

@@ -65,8 +65,9 @@ TEST_F(Defaults, DrawThePathsOfTheTool) {
     const auto draw = [&](const Style& style) {
         const std::vector<Interval> found =
             visibility.find(camera_, {.hidden = true, .outlines = true});
-        return paths_of(to_svg(make_vector_drawing(lines_, camera_, found, style,
-                                                   {.outlines = visibility.outlines()})));
+        return paths_of(
+            to_svg(make_vector_drawing(lines_, camera_, found, style,
+                                       {.mesh = &scene_.mesh, .outlines = visibility.outlines()})));
     };
     const std::vector<std::string> tool = paths_of(read(path("a.svg")));
     EXPECT_GT(tool.size(), 40U);

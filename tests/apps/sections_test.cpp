@@ -94,7 +94,7 @@ class SectionDrawings : public Tool {
 
 TEST_F(SectionDrawings, ARodAcrossIsACircle) {
     const std::string svg = drawn("rod.obj", "--view top --section y=30 --scale 1:1 --page a4 "
-                                             "--fit-arcs --hatching none");
+                                             "--hatching none");
     const std::string section = group(svg, "section");
     const std::regex arc{"a([0-9.]+) "};
     std::smatch found;

@@ -94,6 +94,7 @@ class Sheets : public Tool {
                          "    kind = line.dxftype()\n"
                          "    if kind == 'LINE': size = (line.dxf.end - line.dxf.start).magnitude\n"
                          "    elif kind == 'LWPOLYLINE': size = len(line)\n"
+                         "    elif kind == 'ELLIPSE': size = line.dxf.major_axis.magnitude\n"
                          "    else: size = line.dxf.radius\n"
                          "    print(kind, line.dxf.layer, '%.4f' % size)\n");
         return shell(python + path("read.py") + " " + path(name) + " 2>&1");
@@ -118,18 +119,26 @@ TEST_F(Sheets, ACubeOfAHundredMillimetresAtHalfItsSize) {
 }
 
 TEST_F(Sheets, ACylinderFromItsEndIsACircle) {
-    const std::string svg = drawn("cylinder.obj", "a.svg", "--scale 1:1 --fit-arcs");
+    const std::string svg = drawn("cylinder.obj", "a.svg", "--scale 1:1");
     const std::size_t start = svg.find(" d=\"");
     const std::vector<double> path = numbers(svg.substr(start, svg.find('z', start) - start));
     ASSERT_EQ(path.size(), 2U + 4 * 7) << svg; // quarters
     for (std::size_t i = 2; i < path.size(); i += 7) EXPECT_NEAR(path[i], 50, 0.002);
-    const std::string dxf = drawn("cylinder.obj", "a.dxf", "--scale 1:1 --fit-arcs");
+    const std::string dxf = drawn("cylinder.obj", "a.dxf", "--scale 1:1");
     const std::size_t circle = dxf.find("AcDbCircle\n");
     ASSERT_NE(circle, std::string::npos);
     const std::size_t radius = dxf.find("\n 40\n", circle);
     EXPECT_NEAR(std::stod(dxf.substr(radius + 5)), 50, 0.002);
-    // Without the option it is the polygon that the model is.
-    EXPECT_EQ(drawn("cylinder.obj", "b.dxf", "--scale 1:1").find("AcDbCircle"), std::string::npos);
+    // A bolt's head is a polygon, and so is what is asked to be chords.
+    write("head.obj", prism(6, 40, 50, 0));
+    for (const auto& [model, options] : {std::pair{"head.obj", "--scale 1:1"},
+                                         std::pair{"cylinder.obj", "--scale 1:1 --curves none"}})
+        EXPECT_EQ(drawn(model, "b.dxf", options).find("AcDbCircle"), std::string::npos);
+    // Coarser ones are found in the drawing.
+    write("coarse.obj", prism(16, 40, 50, 0));
+    EXPECT_EQ(drawn("coarse.obj", "b.dxf", "--scale 1:1").find("AcDbCircle"), std::string::npos);
+    EXPECT_NE(drawn("coarse.obj", "b.dxf", "--scale 1:1 --fit-arcs").find("AcDbCircle"),
+              std::string::npos);
 }
 
 TEST_F(Sheets, EzdxfFindsNothingWrong) {
@@ -138,7 +147,7 @@ TEST_F(Sheets, EzdxfFindsNothingWrong) {
     const Result cube = read_by_ezdxf("cube.dxf");
     EXPECT_EQ(cube.output, "units 4 size 297.0 210.0\nLINE outline 50.0000\nLINE outline 50.0000\n"
                            "LINE outline 50.0000\nLINE outline 50.0000\n");
-    drawn("cylinder.obj", "cylinder.dxf", "--scale 1:1 --fit-arcs");
+    drawn("cylinder.obj", "cylinder.dxf", "--scale 1:1");
     EXPECT_NE(read_by_ezdxf("cylinder.dxf").output.find("CIRCLE outline 50.000"),
               std::string::npos);
     for (const char* options : {"", " --hidden", " --hidden --plotter --fit-arcs"}) {

@@ -172,7 +172,7 @@ TEST_F(DrawingErrorsTest, ColoursWhatIsWrong) {
 TEST_F(DrawingErrorsTest, CertificateNamesFiguresAndPlaces) {
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
-    Certificate certificate = compare_lines(truth_, drawn);
+    Certificate certificate = compare_lines(truth_, {.legs = drawn, .pieces = {}});
     certificate.strict = compare_strictly(truth_, drawn);
     EXPECT_NEAR(certificate.narrow.false_pixels(), 100, 1);
     EXPECT_NEAR(certificate.wide.false_pixels(), 98.5, 1);
@@ -183,6 +183,40 @@ TEST_F(DrawingErrorsTest, CertificateNamesFiguresAndPlaces) {
     EXPECT_EQ(line.find('\n'), std::string::npos);
     const std::string table = certificate_table(certificate, 3);
     EXPECT_NE(table.find("false           12.00 px at 204.1,150.0"), std::string::npos) << table;
+}
+
+/// Paths that nearly meet, one after the other, each a line.
+DrawnLines lines_between(const std::vector<std::array<glm::dvec2, 2>>& ends) {
+    DrawnLines drawn;
+    for (const auto& [from, to] : ends) {
+        drawn.legs.push_back({from, to});
+        drawn.path_ends.push_back(drawn.legs.size());
+    }
+    return drawn;
+}
+
+TEST_F(DrawingErrorsTest, EndsThatNearlyMeetAreGaps) {
+    const glm::ivec2 size = truth_.size();
+    const std::vector<Gap> gaps =
+        gaps_of(lines_between({{{{100, 100}, {200, 100}}}, {{{200.3, 100.4}, {200, 200}}}}), size);
+    ASSERT_EQ(gaps.size(), 1U);
+    EXPECT_NEAR(gaps[0].width, 0.5, 1e-6);
+    EXPECT_EQ(gaps[0].at, (glm::vec2{200, 100}));
+    // The same point, as files round it; ends farther apart; ends on a line in front of them.
+    for (const auto& met : {
+             lines_between({{{{100, 100}, {200, 100}}}, {{{200.01, 100.01}, {200, 200}}}}),
+             lines_between({{{{100, 100}, {200, 100}}}, {{{200, 101.1}, {200, 200}}}}),
+             lines_between({{{{100, 100}, {200, 100}}},
+                            {{{100, 100.5}, {200, 100.5}}},
+                            {{{200, 50}, {200, 150}}},
+                            {{{100, 50}, {100, 150}}}}),
+         })
+        EXPECT_TRUE(gaps_of(met, size).empty());
+    Certificate certificate = compare_lines(
+        truth_, lines_between({{{{100, 100}, {200, 100}}}, {{{200.5, 100}, {300, 100}}}}));
+    EXPECT_EQ(certificate.paths, 2U);
+    const std::string table = certificate_table(certificate, 3);
+    EXPECT_NE(table.find("gap              0.50 px at 200.0,100.0"), std::string::npos) << table;
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include "lines/weld.hpp"
 #include "truth/fine_mesh.hpp"
 #include "truth/model_truth.hpp"
+#include "truth_views.hpp"
 
 namespace lineatlas {
 namespace {
@@ -231,6 +232,40 @@ TEST(ModelTruth, FindsPlantedErrors) {
     VectorDrawing halved = right.drawing;
     std::erase_if(halved.paths, [](const VectorPath& path) { return path.visible; });
     EXPECT_EQ(certify(halved).narrow.missed_share(), 1);
+}
+
+/// The rim of a disc of chords, 150 pixels wide: along chords or along the circle, but nowhere
+/// else.
+TEST(ModelTruth, AMeshMayBeDrawnAlongTheCircleThatItWasCutFrom) {
+    Mesh disc;
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        const double angle = turn * i / 24;
+        disc.positions.emplace_back(1.5 * std::cos(angle), 1.5 * std::sin(angle), 0);
+        corners.push_back(i);
+    }
+    add_polygon(disc, corners);
+    const LineSet lines = extract_lines(disc);
+    const ModelTruth model{disc, lines, {}};
+    const Camera camera = test::front_camera();
+    const EdgeTruth truth = model.seen(camera);
+    const auto drawn = [&](double radius, int chords) {
+        std::vector<glm::dvec2> points;
+        for (int i = 0; i <= chords; ++i) {
+            const double angle = turn * i / chords;
+            points.push_back(200.0 + radius * glm::dvec2{std::cos(angle), std::sin(angle)});
+        }
+        DrawnLines along;
+        append_legs(points, along.legs);
+        return model.certify(truth, camera, along).narrow;
+    };
+    for (const int chords : {24, 480}) {
+        SCOPED_TRACE(chords);
+        const DrawingErrors right = drawn(150, chords), wrong = drawn(152, chords);
+        EXPECT_EQ(right.missed_pixels() + right.false_pixels(), 0);
+        EXPECT_GT(wrong.missed_share(), 0.3);
+        EXPECT_GT(wrong.false_share(), 0.3);
+    }
 }
 
 } // namespace

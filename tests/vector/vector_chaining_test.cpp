@@ -172,7 +172,7 @@ TEST(Simplify, SpecksVanish) {
     std::vector<VectorPath> paths{
         path_through(LineKind::crease, true, {{5, 5}, {5.004, 5}, {5.004, 5.004}}),
         path_through(LineKind::crease, true, {{5, 5}, {5.02, 5}})};
-    simplify(paths, 0.05, PathCurves{nullptr, {}});
+    simplify(paths, 0.05, PathCurves{LineSet{}, nullptr, {}});
     EXPECT_EQ(paths.size(), 1U);
 }
 

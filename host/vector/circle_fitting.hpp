@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace lineatlas {
+
+/// A circle in a plane.
+struct Circle {
+    glm::dvec2 center;
+    double radius;
+
+    double distance(glm::dvec2 point) const { return glm::distance(point, center) - radius; }
+    glm::dvec2 nearest(glm::dvec2 point) const {
+        return center + radius * glm::normalize(point - center);
+    }
+    /// The angle from one point to the next, -180 to 180 degrees.
+    double angle(glm::dvec2 from, glm::dvec2 to) const {
+        const glm::dvec2 a = from - center;
+        const glm::dvec2 b = to - center;
+        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    }
+    double sagitta(double angle) const { return radius * (1 - std::cos(0.5 * angle)); }
+};
+
+/// The circle with the least squares of the points' distances from it (Gauss-Newton); nothing where
+/// points lie on a line.
+std::optional<Circle> fit_circle(std::span<const glm::dvec2> points);
+
+} // namespace lineatlas
