@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,16 +12,16 @@ namespace lineatlas {
 
 /// One whole file in memory. Every mesh format is checked in it before a library parses it.
 struct SourceFile {
-    std::filesystem::path path;
+    std::string path;
     std::string bytes;
 };
 
 /// The size of a file that must exist, be a regular one, be readable and not be empty. Throws
 /// FileError.
-std::uintmax_t check_source(const std::filesystem::path& path);
+std::uintmax_t check_source(const std::string& path);
 
 /// Reads what check_source() accepts. Throws FileError.
-SourceFile read_source(const std::filesystem::path& path);
+SourceFile read_source(const std::string& path);
 
 /// Without the three bytes that some programs put before text in UTF-8.
 std::string_view without_utf8_mark(std::string_view text);
@@ -32,13 +31,13 @@ std::string_view without_utf8_mark(std::string_view text);
 void refuse_other_types(const SourceFile& source, std::string_view extension);
 
 /// `path` in double quotes, fit for a one-line message; of a long one the end.
-std::string quoted(const std::filesystem::path& path);
+std::string quoted(const std::string& path);
 
 /// `cannot read "path": cause`
-FileError read_error(const std::filesystem::path& path, std::string_view cause);
+FileError read_error(const std::string& path, std::string_view cause);
 
 /// `cannot write "path": cause`
-FileError write_error(const std::filesystem::path& path, std::string_view cause);
+FileError write_error(const std::string& path, std::string_view cause);
 /// What a failed write() says; of a limit of files' sizes that limit and the way out.
 std::string write_cause(int error);
 
