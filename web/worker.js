@@ -71,10 +71,10 @@ class Thread {
   #receive({ done, result, error }) {
     const job = this.#jobs[0];
     if (done !== undefined) return job.progress(done);
-    this.#jobs.shift();
     if (error !== undefined) job.reject(error.isAbort ? new DOMException(error.message, 'AbortError') : new Error(error.message));
     else if (job.dropped && result?.handle !== undefined) this.call({ method: 'dispose', handle: result.handle });
     else job.resolve(result);
+    this.#jobs.shift(); // not before: what was called here is not the first, and is sent once
     if (this.#jobs.length > 0) this.#send();
   }
 
