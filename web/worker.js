@@ -145,6 +145,7 @@ export class LinesWorker {
     const { handle } = await this.#thread.call({ method: 'extract', args: [list, rest] }, own, transfer ? buffersOf(list) : []);
     return new Lines(this.#thread, handle);
   }
+  readMesh(file, name) { return this.#thread.call({ method: 'readMesh', args: [file, name] }); }
   dispose() {
     this.#thread.end(new Error('lineatlas: the worker was disposed of'));
   }

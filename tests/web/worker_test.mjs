@@ -15,6 +15,15 @@ test('lines are found, drawn and written', async () => {
   worker.dispose();
 });
 
+test('a file is read, and refused', async () => {
+  const worker = new LinesWorker(), bytes = new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+  const { mesh } = await worker.readMesh(bytes, 'a.obj');
+  assert.deepEqual([...mesh.indices], [0, 1, 2]);
+  assert.equal(await (await worker.extract(mesh)).segmentCount, 3);
+  await assert.rejects(worker.readMesh(bytes, 'a.stl'), /^Error: cannot read "a.stl": /);
+  worker.dispose();
+});
+
 test('what was aborted and found all the same is dropped once', async () => {
   const sent = [], thread = { postMessage: ({ method, handle }) => sent.push([method, handle]), terminate() {} };
   const answer = (result) => thread.onmessage({ data: { result } });
