@@ -44,7 +44,7 @@ add_shared_library(lineatlas_headless_shared NAME headless FILE lineatlas-headle
     ROOMS headless PUBLIC lineatlas_shared PRIVATE PkgConfig::epoxy)
 add_shared_library(lineatlas_io_shared NAME io FILE lineatlas-io
     RUNTIME io DEVELOPMENT io-development
-    ROOMS base io polygon PUBLIC lineatlas_shared PRIVATE OpenMeshCore tinyobjloader::tinyobjloader TBB::tbb
+    ROOMS base io polygon PUBLIC lineatlas_shared PRIVATE OpenMeshCore fmt::fmt TBB::tbb
                                          $<TARGET_NAME_IF_EXISTS:PkgConfig::seccomp>)
 
 # Modules of the room io, which looks for them beside the shared library and beside the tool.

@@ -37,16 +37,36 @@ export interface MeshArrays {
   indices?: Numbers;
   /** A number for each triangle: where it changes there is a line. */
   materials?: Numbers;
+  /** What the numbers of `materials` are, from 0: names that stand in the files that are written. */
+  groups?: { object?: string; material?: string }[];
   /** Places the mesh in the world. */
   matrix?: Matrix;
   /** Stands in the files that are written. */
   name?: string;
-  /** Lines of your own: x, y, z of their points. */
-  polylines?: Numbers[];
+  /** Lines of your own: x, y, z of their points, or, in a Uint32Array, vertices of the mesh. */
+  polylines?: (Numbers | Uint32Array)[];
 }
 
 /** Told what share is done, 0 to 1; `false` ends the call with an AbortError. It must not call this package. */
 export type Progress = (done: number) => boolean | void;
+
+/** What {@link readMesh} found in a file. */
+export interface LoadedMesh {
+  /** For `new Lines()`; add a `name` or a `matrix`. OBJ files have groups: their objects and materials. */
+  mesh: MeshArrays & { positions: Float32Array; indices: Uint32Array; materials?: Uint32Array; polylines?: (Float32Array | Uint32Array)[] };
+  /** Was taken off all positions: zeros, but for models so far from zero that floats could not hold them. */
+  origin: number[];
+  /** What was repaired or left out, a line each. */
+  notes: string[];
+}
+
+/**
+ * Reads OBJ, PLY, STL or OFF by the readers of the native tool.
+ *
+ * @param name Of the file: its extension says what type it is, errors name it.
+ * @throws Error, one line with the name and the cause: truncated, of another type, a corner that is no vertex of the file.
+ */
+export function readMesh(file: ArrayBuffer | ArrayBufferView, name: string): LoadedMesh;
 
 export interface LinesOptions {
   /** Others are not looked for; all by default. */

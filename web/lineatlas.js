@@ -212,7 +212,12 @@ function refuseUnknown(options, known, what) {
     if (!known.includes(key)) throw new Error(`lineatlas: ${what} has no "${key}"; it has ${known.join(', ')}`);
 }
 
-const meshKeys = ['positions', 'stride', 'indices', 'materials', 'matrix', 'name', 'polylines'];
+const meshKeys = ['positions', 'stride', 'indices', 'materials', 'groups', 'matrix', 'name', 'polylines'];
+
+const groupsText = (groups, what) => groups.map((group) => {
+  refuseUnknown(group, ['object', 'material'], `${what}: a group`);
+  return `${group.object ?? ''}\0${group.material ?? ''}\0`;
+}).join('');
 
 function addMesh(model, mesh, number) {
   const name = mesh?.name ?? '', what = name === '' ? `mesh ${number}` : `mesh "${name}"`;
@@ -228,12 +233,51 @@ function addMesh(model, mesh, number) {
     const positions = mesh.indices?.length === 0 ? undefined : mesh.positions; // without any they would be corners as they come
     const matrix = mesh.matrix ? put(matrixOf(mesh.matrix, `${what}: matrix`)) : 0;
     const well = call('la_add_mesh', model, ...putText(name), ...list(positions, Float32Array, 'positions'), stride,
-      ...list(mesh.indices, Uint32Array, 'indices'), ...list(mesh.materials, Uint32Array, 'materials'), matrix);
+      ...list(mesh.indices, Uint32Array, 'indices'), ...list(mesh.materials, Uint32Array, 'materials'),
+      ...putText(groupsText(mesh.groups ?? [], what)), matrix);
     if (!well) throw new Error(messageOf().replace(/^mesh:/, `${what}:`));
     for (const line of mesh.polylines ?? []) {
+      if (line instanceof Uint32Array) {
+        if (!call('la_join_vertices', model, put(line), line.length)) throw new Error(messageOf().replace(/^mesh:/, `${what}:`));
+        continue;
+      }
       const points = numbersOf(line, Float32Array, `${what}: polylines`);
       if (points.length % 3 !== 0) throw new Error(`lineatlas: ${what}: a polyline has three numbers for each point`);
       check(call('la_add_polyline', model, put(points), points.length / 3, matrix));
+    }
+  });
+}
+
+// The lists of a file that was loaded, in the order of la_loaded().
+const loadedLists = [Float32Array, Uint32Array, Uint32Array, Uint8Array, Uint8Array, Uint32Array, Uint32Array, Float64Array];
+
+function takeLoaded() {
+  const [positions, indices, materials, groups, notes, vertices, ends, origin] = loadedLists
+    .map((Type, list) => at(Type, wasm.la_loaded(list), wasm.la_loaded_size(list)).slice());
+  const names = decoder.decode(groups).split('\0').slice(0, -1);
+  const mesh = { positions, indices };
+  if (names.length > 0) {
+    mesh.materials = materials;
+    mesh.groups = names.flatMap((object, i) => (i % 2 === 0 ? [{ object, material: names[i + 1] }] : []));
+  }
+  if (ends.length > 0) {
+    const pointsOf = (line) => Float32Array.from({ length: 3 * line.length }, (_, k) => positions[3 * line[(k / 3) | 0] + (k % 3)]);
+    const lines = [...ends].map((end, i) => vertices.slice(ends[i - 1] ?? 0, end));
+    mesh.polylines = indices.length > 0 ? lines : lines.map(pointsOf); // meshes without triangles have no vertices
+  }
+  return { mesh, origin: [...origin], notes: decoder.decode(notes).split('\n').slice(0, -1) };
+}
+
+export function readMesh(file, name) {
+  const bytes = file instanceof ArrayBuffer ? new Uint8Array(file) : file;
+  if (!ArrayBuffer.isView(bytes)) throw new Error('lineatlas: readMesh: the file must be an ArrayBuffer or a typed array');
+  if (typeof name !== 'string') throw new Error('lineatlas: readMesh: the name of the file must be given, with its extension');
+  return withMemory(({ put, putText }) => {
+    try {
+      check(call('la_load', put(bytes), bytes.byteLength, ...putText(name)));
+      return takeLoaded();
+    } finally {
+      if (broken === null) wasm.la_drop_loaded();
     }
   });
 }

@@ -1,4 +1,4 @@
-import type { Camera, DrawOptions, FrameOptions, Kind, LinesOptions, MeshArrays, Numbers, Pick, Segments, WriteOptions }
+import type { Camera, DrawOptions, FrameOptions, Kind, LinesOptions, LoadedMesh, MeshArrays, Numbers, Pick, Segments, WriteOptions }
   from './lineatlas.js';
 
 export { kinds, none, supported } from './lineatlas.js';
@@ -20,6 +20,8 @@ export class LinesWorker {
   constructor(options?: { wasm?: string | URL | ArrayBuffer | WebAssembly.Module; worker?: Worker });
   /** As `new Lines()`. Arrays are copied; with `transfer` they move, and are empty afterwards. */
   extract(meshes: MeshArrays | MeshArrays[], options?: LinesOptions & Abortable & { transfer?: boolean }): Promise<Lines>;
+  /** As `readMesh()` of `lineatlas`. */
+  readMesh(file: ArrayBuffer | ArrayBufferView, name: string): Promise<LoadedMesh>;
   /** Ends the worker and all that it holds. */
   dispose(): void;
 }

@@ -71,10 +71,10 @@ class Thread {
   #receive({ done, result, error }) {
     const job = this.#jobs[0];
     if (done !== undefined) return job.progress(done);
-    this.#jobs.shift();
     if (error !== undefined) job.reject(error.isAbort ? new DOMException(error.message, 'AbortError') : new Error(error.message));
     else if (job.dropped && result?.handle !== undefined) this.call({ method: 'dispose', handle: result.handle });
     else job.resolve(result);
+    this.#jobs.shift(); // not before: what was called here is not the first, and is sent once
     if (this.#jobs.length > 0) this.#send();
   }
 
@@ -145,6 +145,7 @@ export class LinesWorker {
     const { handle } = await this.#thread.call({ method: 'extract', args: [list, rest] }, own, transfer ? buffersOf(list) : []);
     return new Lines(this.#thread, handle);
   }
+  readMesh(file, name) { return this.#thread.call({ method: 'readMesh', args: [file, name] }); }
   dispose() {
     this.#thread.end(new Error('lineatlas: the worker was disposed of'));
   }

@@ -1,5 +1,5 @@
 // The thread of worker.js: each message is a call, each answer its result.
-import { Lines, init } from './lineatlas.js';
+import { Lines, init, readMesh } from './lineatlas.js';
 
 let port = null;
 
@@ -12,7 +12,7 @@ function kept(object) {
 }
 
 const buffersOf = (result) => (result === null || typeof result !== 'object' ? []
-  : Object.values(result).filter(ArrayBuffer.isView).map((list) => list.buffer));
+  : Object.values(result.mesh ?? result).filter(ArrayBuffer.isView).map((list) => list.buffer));
 
 async function run({ method, handle, args = [], stop, wantsProgress }) {
   const progress = (done) => {
@@ -23,6 +23,7 @@ async function run({ method, handle, args = [], stop, wantsProgress }) {
   switch (method) {
     case 'init': return void (await init(args[0]));
     case 'extract': return kept(new Lines(args[0], { ...args[1], progress }));
+    case 'readMesh': return readMesh(...args);
     case 'draw': return kept(object.draw(args[0], { ...args[1], progress }));
     case 'dispose':
       objects.delete(handle);

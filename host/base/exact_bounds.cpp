@@ -1,8 +1,9 @@
 #include "exact_bounds.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace lineatlas {
 
@@ -45,16 +46,7 @@ std::string note_of_origin(glm::dvec3 origin) {
 }
 
 std::string written(glm::dvec3 position) {
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis) {
-        char digits[512];
-        const auto end =
-            std::to_chars(digits, digits + sizeof digits, position[axis], std::chars_format::fixed)
-                .ptr;
-        if (axis > 0) text += ',';
-        text.append(digits, end);
-    }
-    return text;
+    return fmt::format("{},{},{}", position.x, position.y, position.z);
 }
 
 } // namespace lineatlas

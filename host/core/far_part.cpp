@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -72,14 +72,6 @@ struct Slices {
     }
 };
 
-std::string three_digits(float value) {
-    std::array<char, 32> text{};
-    char* const begin = text.data();
-    const auto end =
-        std::to_chars(begin, begin + text.size(), value, std::chars_format::general, 3).ptr;
-    return {begin, static_cast<std::size_t>(end - begin)};
-}
-
 } // namespace
 
 std::optional<FarPart> find_far_part(const LineSet& lines) {
@@ -142,12 +134,14 @@ std::vector<glm::vec3> points_to_frame(const LineSet& lines, const std::optional
 }
 
 std::string note_of(const FarPart& far) {
-    const std::string counts = std::to_string(far.count) + " of " + std::to_string(far.total) +
-                               " triangles and lines lie far from all others";
-    const std::string times = three_digits(far.ratio) + " times as wide";
-    return counts + (is_left_out(far)
-                         ? "; they are not framed, which would make the picture " + times
-                         : ", and the picture is " + times + " for their sake");
+    const std::string parts =
+        fmt::format("{} of {} triangles and lines lie far from all others", far.count, far.total);
+    if (is_left_out(far))
+        return fmt::format("{}; they are not framed, which would make the picture {:.3g} times as "
+                           "wide",
+                           parts, far.ratio);
+    return fmt::format("{}, and the picture is {:.3g} times as wide for their sake", parts,
+                       far.ratio);
 }
 
 Framing framing_of(const LineSet& lines) {

@@ -59,8 +59,8 @@ void check_pixels(const std::filesystem::path& path, const Pixels& pixels) {
 
 /// Calls the module and turns its refusals into `error`.
 template <class Call>
-auto guarded(FileError (*error)(const std::filesystem::path&, std::string_view),
-             const std::filesystem::path& path, Call call) {
+auto guarded(FileError (*error)(const std::string&, std::string_view), const std::string& path,
+             Call call) {
     try {
         return call();
     } catch (const std::bad_alloc&) {

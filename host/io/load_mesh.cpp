@@ -16,7 +16,7 @@
 #include "mesh_source.hpp"
 #include "model_loader.hpp"
 #include "model_types.hpp"
-#include "obj.hpp"
+#include "own_readers.hpp"
 #include "soup.hpp"
 
 namespace lineatlas {
@@ -35,14 +35,9 @@ Soup read_soup(MeshSource source, const std::string& extension, const LoadOption
     SourceFile& model = source.model;
     if (is_read_by_module(extension))
         return read_by_module(model, extension, source.named, options);
-    const ModelReader reader = find_model_type(extension)->reader;
-    if (reader == ModelReader::stl) return read_stl(model);
-
+    if (find_model_type(extension)->reader != ModelReader::om)
+        return read_own(std::move(model), extension, source.materials, progress);
     refuse_other_types(model, extension);
-    model.bytes.erase(0, model.bytes.size() - without_utf8_mark(model.bytes).size());
-    if (reader == ModelReader::obj) return read_obj(std::move(model), source.materials, progress);
-    if (reader == ModelReader::ply) return read_ply(model);
-    if (reader == ModelReader::off) return read_off(model);
     return read_om(model);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/model_module.hpp"
+#include "lineatlas/io.hpp"
 #include "soup.hpp"
 #include "source_file.hpp"
 

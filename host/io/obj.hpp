@@ -7,9 +7,8 @@
 
 namespace lineatlas {
 
-/// Reads OBJ text with its groups, materials and `l` elements through tinyobjloader. Throws
-/// FileError with the line for anything that would otherwise be read as zero or as another vertex,
-/// and Cancelled.
-Soup read_obj(SourceFile source, const MaterialFiles& files, const ProgressPart& progress);
+/// Reads OBJ text with its groups, materials and `l` elements. Throws FileError with its line for a
+/// `v` without three numbers and for a corner that is no vertex of the file, and Cancelled.
+Soup read_obj(const SourceFile& source, const MaterialFiles& files, const ProgressPart& progress);
 
 } // namespace lineatlas

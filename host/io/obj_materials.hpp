@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <glm/vec3.hpp>
 
@@ -20,7 +21,7 @@ class ObjMaterials {
     std::optional<glm::vec3> color(const std::string& material) const;
 
   private:
-    void add(const std::string& file);
+    void add(std::string_view file);
 
     std::map<std::string, glm::vec3> colors_;
 };

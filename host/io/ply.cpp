@@ -1,12 +1,12 @@
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "little_endian.hpp"
 #include "mesh_readers.hpp"
@@ -146,7 +146,7 @@ class PlyFile {
             if (!is_whole_below(index, vertices_))
                 throw read_error(source_.path,
                                  "face " + std::to_string(number) + " refers to vertex " +
-                                     shortest(index) + ", the file has " +
+                                     fmt::format("{}", index) + ", the file has " +
                                      counted(vertices_, "vertex", "vertices") + " from 0");
             soup_.corners.push_back(static_cast<std::uint32_t>(index));
         }
@@ -159,7 +159,7 @@ class PlyFile {
         if (!is_whole_below(count, room + 1))
             throw read_error(source_.path,
                              "it is damaged or truncated: " + printable(element.name) + ' ' +
-                                 std::to_string(number) + " claims " + shortest(count) +
+                                 std::to_string(number) + " claims " + fmt::format("{}", count) +
                                  " values of \"" + printable(property.name) +
                                  "\", which must be a whole number from 0 to " +
                                  std::to_string(room) + ", what the file has room for");
@@ -189,12 +189,6 @@ class PlyFile {
 
     static bool is_whole_below(double value, std::size_t limit) {
         return value >= 0 && value < static_cast<double>(limit) && value == std::floor(value);
-    }
-
-    /// A number with as few digits as tell it from its neighbours.
-    static std::string shortest(double value) {
-        std::array<char, 32> text{};
-        return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
     }
 
     const SourceFile& source_;

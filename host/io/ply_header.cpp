@@ -113,8 +113,8 @@ class HeaderText {
     }
 
     PlyType type(std::string_view name) const {
-        const auto* found = std::find_if(types.begin(), types.end(),
-                                         [&](const auto& entry) { return entry.first == name; });
+        const auto found = std::find_if(types.begin(), types.end(),
+                                        [&](const auto& entry) { return entry.first == name; });
         if (found == types.end()) throw bad("has the unknown type \"" + printable(name) + '"');
         return found->second;
     }

@@ -30,7 +30,7 @@ struct FaceCounts {
 constexpr std::string_view why_not_finite = "with coordinates that are no finite numbers";
 constexpr std::string_view why_too_large = "with coordinates beyond 1e15";
 
-void check_indices(const Soup& soup, const std::filesystem::path& path) {
+void check_indices(const Soup& soup, const std::string& path) {
     const auto vertices = soup.positions.size();
     const auto bad = std::find_if(soup.corners.begin(), soup.corners.end(),
                                   [&](std::uint32_t index) { return index >= vertices; });
@@ -158,7 +158,7 @@ void keep_used_groups(const std::vector<MeshGroup>& groups, Mesh& mesh) {
     }
 }
 
-void refuse_if_most_are_bad(const FaceCounts& counts, const std::filesystem::path& path) {
+void refuse_if_most_are_bad(const FaceCounts& counts, const std::string& path) {
     if (2 * (counts.not_finite + counts.too_large) <= counts.faces) return;
     const bool large = counts.too_large > counts.not_finite;
     throw read_error(
@@ -167,7 +167,7 @@ void refuse_if_most_are_bad(const FaceCounts& counts, const std::filesystem::pat
                   (large ? "beyond 1e15; scale the model down" : "that are no finite numbers"));
 }
 
-void refuse_if_too_small(const ExactBounds& bounds, const std::filesystem::path& path) {
+void refuse_if_too_small(const ExactBounds& bounds, const std::string& path) {
     const double extent = bounds.extent();
     if (extent == 0.0) throw read_error(path, "all of its corners are at one place");
     if (extent < smallest_extent)
@@ -203,7 +203,7 @@ std::string why_empty(const Soup& soup, const FaceCounts& counts,
 
 } // namespace
 
-LoadedMesh finish(Soup&& soup, const std::filesystem::path& path) {
+LoadedMesh finish(Soup&& soup, const std::string& path) {
     check_indices(soup, path);
 
     LoadedMesh loaded{.mesh = {}, .notes = std::move(soup.notes)};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "lineatlas/io.hpp"
+#include "lineatlas/loaded_mesh.hpp"
 
 namespace lineatlas {
 
@@ -47,9 +46,9 @@ struct Soup {
     void end_face() { face_ends.push_back(corners.size()); }
 };
 
-/// Checks and triangulates a soup. Drops faces and positions that cannot be drawn, with a note for
-/// each reason. Throws FileError for indices out of range, for a file with mostly faces that are
-/// not finite, and for a file that holds nothing to draw.
-LoadedMesh finish(Soup&& soup, const std::filesystem::path& path);
+/// Judges and triangulates. Drops what cannot be drawn with a note each; throws FileError for
+/// indices out of range, for a file most of whose faces are not finite, and for one that holds
+/// nothing to draw.
+LoadedMesh finish(Soup&& soup, const std::string& path);
 
 } // namespace lineatlas

@@ -1,13 +1,6 @@
 #include "source_file.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
-#include <sys/resource.h>
 
 namespace lineatlas {
 
@@ -60,60 +53,24 @@ constexpr std::array mesh_signatures{
 
 } // namespace
 
-std::string quoted(const std::filesystem::path& path) {
+std::string quoted(const std::string& path) {
     constexpr std::size_t longest = 400;
-    // The end of a long path tells more, because it has the file's name.
-    const std::string whole = path.string();
+    // Of a long one the end tells more: there is the file's name.
     const std::string text =
-        whole.size() <= longest ? whole : "..." + whole.substr(whole.size() - longest);
+        path.size() <= longest ? path : "..." + path.substr(path.size() - longest);
     return '"' + printable(text, text.size()) + '"';
 }
 
-FileError read_error(const std::filesystem::path& path, std::string_view cause) {
+FileError read_error(const std::string& path, std::string_view cause) {
     return FileError("cannot read " + quoted(path) + ": " + std::string(cause));
 }
 
-FileError write_error(const std::filesystem::path& path, std::string_view cause) {
+FileError write_error(const std::string& path, std::string_view cause) {
     return FileError("cannot write " + quoted(path) + ": " + std::string(cause));
-}
-
-std::string write_cause(int error) {
-    rlimit size{};
-    if (error == EFBIG && ::getrlimit(RLIMIT_FSIZE, &size) == 0 && size.rlim_cur != RLIM_INFINITY)
-        return "a file may have at most " + counted(size.rlim_cur, "byte", "bytes") +
-               " here; raise that limit (ulimit -f)";
-    return std::generic_category().message(error);
 }
 
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
     return std::to_string(count) + ' ' + std::string(count == 1 ? singular : plural);
-}
-
-std::uintmax_t check_source(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        const bool missing = !error || error == std::errc::no_such_file_or_directory;
-        throw read_error(path, missing ? "no such file" : error.message());
-    }
-    if (std::filesystem::is_directory(status)) throw read_error(path, "it is a folder");
-    // The size of a pipe or a device is not known beforehand.
-    if (!std::filesystem::is_regular_file(status)) throw read_error(path, "it is no regular file");
-
-    const std::ifstream stream(path, std::ios::binary);
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!stream || error) throw read_error(path, "no permission to read it");
-    if (size == 0) throw read_error(path, "the file is empty");
-    return size;
-}
-
-SourceFile read_source(const std::filesystem::path& path) {
-    const std::uintmax_t size = check_source(path);
-    SourceFile source{.path = path, .bytes = std::string(size, '\0')};
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream.read(source.bytes.data(), static_cast<std::streamsize>(size)))
-        throw read_error(path, "reading stopped before the end of the file");
-    return source;
 }
 
 std::string_view without_utf8_mark(std::string_view text) {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,16 +12,16 @@ namespace lineatlas {
 
 /// One whole file in memory. Every mesh format is checked here before a library parses it.
 struct SourceFile {
-    std::filesystem::path path;
+    std::string path;
     std::string bytes;
 };
 
-/// The size of a file. Throws FileError unless the file exists, is regular, can be read and is not
-/// empty.
-std::uintmax_t check_source(const std::filesystem::path& path);
+/// The size of a file that must exist, be a regular one, be readable and not be empty. Throws
+/// FileError.
+std::uintmax_t check_source(const std::string& path);
 
-/// Reads a file that check_source() accepts. Throws FileError.
-SourceFile read_source(const std::filesystem::path& path);
+/// Reads what check_source() accepts. Throws FileError.
+SourceFile read_source(const std::string& path);
 
 /// The text without the three bytes that some programs put before UTF-8.
 std::string_view without_utf8_mark(std::string_view text);
@@ -31,16 +30,15 @@ std::string_view without_utf8_mark(std::string_view text);
 /// type than `extension` (lower case, with its dot).
 void refuse_other_types(const SourceFile& source, std::string_view extension);
 
-/// `path` in double quotes, fit for a one-line message. Only the end of a long path is shown.
-std::string quoted(const std::filesystem::path& path);
+/// `path` in double quotes, fit for a one-line message; of a long one the end.
+std::string quoted(const std::string& path);
 
 /// `cannot read "path": cause`
-FileError read_error(const std::filesystem::path& path, std::string_view cause);
+FileError read_error(const std::string& path, std::string_view cause);
 
 /// `cannot write "path": cause`
-FileError write_error(const std::filesystem::path& path, std::string_view cause);
-/// The cause of a failed write(). If a limit of file sizes is the cause, also that limit and the
-/// way out.
+FileError write_error(const std::string& path, std::string_view cause);
+/// What a failed write() says; of a limit of files' sizes that limit and the way out.
 std::string write_cause(int error);
 
 /// "1 face", "12 faces"

@@ -11,7 +11,6 @@ namespace lineatlas {
 namespace {
 
 constexpr std::uint32_t most_in_leaf = 6;
-constexpr std::uint32_t least_shared = 8192; ///< boxes: fewer are not worth a second thread
 
 /// The nodes of a tree of `boxes`, which are halved down to leaves, and of one of one box more.
 std::pair<std::uint32_t, std::uint32_t> nodes_of(std::uint32_t boxes) {

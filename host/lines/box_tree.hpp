@@ -99,7 +99,7 @@ class BoxTree {
   private:
     static constexpr std::uint32_t mixed = nobody;    ///< owners
     static constexpr std::size_t deepest = 64;        ///< twice the depth of halving 2^31 boxes
-    static constexpr std::size_t least_shared = 4096; ///< nodes: fewer keep one thread
+    static constexpr std::size_t least_shared = 4096; ///< nodes or boxes: fewer keep one thread
     static constexpr std::size_t most_parts = 512;    ///< from which on none is divided
 
     /// A leaf of `count` boxes, or with none an inner node: its left child is the next node.

@@ -14,7 +14,7 @@ refuse() { # LIBRARY PATTERN...
     done
 }
 window_systems='EGL|GL|GLX|OpenGL|glfw|X11|wayland-.*'
-refuse "$1/liblineatlas.so" "$window_systems" OpenCL 'OpenMesh.*|tinyobjloader' 'OpenImageIO.*|png16'
+refuse "$1/liblineatlas.so" "$window_systems" OpenCL 'OpenMesh.*' 'OpenImageIO.*|png16'
 refuse "$1/liblineatlas-headless.so" "GL|GLX|glfw|X11|wayland-.*" 'OpenMesh.*' 'OpenImageIO.*' OpenCL
 refuse "$1/liblineatlas-io.so" "$window_systems" 'OpenImageIO.*|png16' OpenCL 'TK.*' 'draco|meshoptimizer'
 refuse "$1/lineatlas/lineatlas-png.so" 'OpenImageIO.*'

@@ -63,6 +63,16 @@ test('a model of ones own is drawn, hidden lines appear, and both files are save
   assert.deepEqual(faults, []);
 });
 
+test('a file is read as by the package: parts, lines, and what is wrong with it', { skip }, async () => {
+  await open();
+  assert.ok((await piecesAfter(() => page.setInputFiles('#file', fileOf('two.obj', `o left\n${cube}l 2 9\nv 2 2 2\n`)))) > 9);
+  assert.deepEqual(await page.locator('#parts label').allTextContents(), [' left']);
+  await page.setInputFiles('#file', fileOf('short.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n'));
+  await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
+  assert.equal(await state(), 'cannot read "short.obj": line 4 refers to vertex 9, the file has 3');
+  assert.deepEqual(faults, []);
+});
+
 test('a part that is hidden uncovers what is behind it', { skip }, async () => {
   const whole = await open();
   const rest = await piecesAfter(() => page.uncheck('#parts label:last-child input'));
@@ -96,6 +106,6 @@ test('a file that is none is refused in one line', { skip }, async () => {
   await open();
   await page.setInputFiles('#file', fileOf('model.xyz', 'x'));
   await page.waitForFunction(() => document.getElementById('state').classList.contains('error'));
-  assert.equal(await state(), 'model.xyz is none of obj, stl, ply, glb, gltf');
+  assert.equal(await state(), 'model.xyz is none of obj, ply, stl, off, glb, gltf');
   assert.deepEqual(faults, []);
 });

@@ -4,9 +4,10 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { files, models, refusedFiles } from './models.mjs';
 
 const packageOf = (name) => import(pathToFileURL(`${process.env.WEB_PACKAGE}/${name}.js`));
-const { Lines, init, kinds, none, supported } = await packageOf('lineatlas');
+const { Lines, init, kinds, none, readMesh, supported } = await packageOf('lineatlas');
 const fileOf = (name) => readFile(`${process.env.WEB_DRAWINGS}/${name}`, 'utf8');
 
 const cube = {
@@ -24,7 +25,7 @@ test('kinds are those of the library', async () => {
   assert.deepEqual(kinds, JSON.parse(await fileOf('kinds.json')));
 });
 
-for (const name of ['house', 'clevis', 'torus', 'crossing']) {
+for (const name of models) {
   test(`${name} is what the library makes of it`, async () => {
     const { positions, indices, materials, segments, ...camera } = JSON.parse(await fileOf(`${name}.json`));
     const mesh = { positions: Float32Array.from(positions), indices: Uint32Array.from(indices), name: 'model' };
@@ -41,6 +42,42 @@ for (const name of ['house', 'clevis', 'torus', 'crossing']) {
     for (const one of [visible, all, lines]) one.dispose();
   });
 }
+
+const bytesOf = (name) => readFile(`${process.env.WEB_DRAWINGS}/${name}`);
+
+for (const name of files) {
+  test(`${name} is read as the library reads it`, async () => {
+    const { mesh, origin, notes } = readMesh(await bytesOf(name), name);
+    assert.deepEqual([origin, notes], [[0, 0, 0], []]);
+    const lines = new Lines(mesh), drawing = lines.draw(JSON.parse(await fileOf(`${name}.json`)));
+    assert.equal(drawing.toSVG(), await fileOf(`${name}.svg`));
+  });
+}
+
+for (const name of refusedFiles) {
+  test(`${name} is refused as by the library`, async () => {
+    const bytes = await bytesOf(name), message = await fileOf(`${name}.error`);
+    assert.match(message, /^cannot read ".*": /);
+    assert.throws(() => readMesh(bytes, name), { message });
+    assert.equal(new Lines(cube).segmentCount, 12); // and the module lives on
+  });
+}
+
+test('a file has groups, lines and notes', async () => {
+  const { mesh } = readMesh(await bytesOf('house.obj'), 'house.obj');
+  assert.deepEqual(mesh.groups, [['house', 'wall'], ['house', 'roof'], ['fence', 'wall']].map(([object, material]) => ({ object, material })));
+  assert.deepEqual([...new Set(mesh.materials)], [0, 1, 2]);
+  assert.deepEqual(mesh.polylines.map((line) => [...line]), [[0, 10, 11]]);
+  const far = readMesh(new TextEncoder().encode('v 1e7 0 0\nv 10000001 0 0\nv 1e7 1 0\nf 1 2 3\nf 1 1 2\n'), 'far.OBJ');
+  assert.deepEqual(far.origin, [10000001, 0, 0]);
+  assert.deepEqual(far.notes, ['1 face with equal corners dropped', 'far from zero for its size, drawn about 10000001,0,0']);
+});
+
+test('a file of lines alone is drawn', () => {
+  const { mesh } = readMesh(new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n'), 'lines.obj');
+  const lines = new Lines(mesh);
+  assert.deepEqual([mesh.indices.length, lines.draw(frame(lines)).segmentCount], [0, 2]);
+});
 
 test('a cube from the corner shows nine edges and hides three', () => {
   const lines = new Lines({ ...cube, name: 'cube' });
@@ -125,6 +162,12 @@ const refusals = [
   ['no such kind', () => new Lines(cube, { kinds: ['edge'] }), /there is no kind "edge"/],
   ['a matrix of 9', () => new Lines({ ...cube, matrix: new Float32Array(9) }), /matrix must have 16 numbers, not 9/],
   ['no width', () => new Lines(cube).draw({ view: new Float32Array(16), projection: new Float32Array(16), height: 3 }), /width must be a whole/],
+  ['a group that is none', () => new Lines({ ...cube, materials: Array(12).fill(1), groups: [{ object: 'a' }] }), /mesh 0: there is no group 1 among 1/],
+  ['a line of no vertex', () => new Lines({ ...cube, polylines: [Uint32Array.of(0, 8)] }), /mesh 0: a polyline has the vertex 8, but there are 8/],
+  ['groups without numbers', () => new Lines({ ...cube, groups: [{ object: 'a' }] }), /there are 12 triangles and 0 materials/],
+  ['a file without a name', () => readMesh(new Uint8Array(3)), /the name of the file must be given/],
+  ['a file that is no bytes', () => readMesh('v 0 0 0', 'a.obj'), /must be an ArrayBuffer/],
+  ['a type that is not read', () => readMesh(new Uint8Array(3), 'a.xyz'), /^cannot read "a.xyz": unknown mesh type ".xyz"; known are .obj, .ply, .stl and .off$/],
   ['no camera', () => new Lines(cube).draw(), /camera must be an object with view, projection/],
   ['no mesh', () => new Lines(), /mesh 0 must be an object with positions/],
   ['half a vertex', () => new Lines({ ...cube, stride: 2.5 }), /stride must be a whole number/],

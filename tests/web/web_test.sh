@@ -11,4 +11,4 @@ cmake --build "$1/build/web" --target lineatlas_package -- --quiet
 drawings=$(mktemp -d)
 trap 'rm -r "$drawings"' EXIT
 "$2" "$drawings"
-WEB_PACKAGE=$1/build/web/package WEB_DRAWINGS=$drawings node --test "$(dirname "$0")/web_test.mjs" "$(dirname "$0")/three_test.mjs" "$(dirname "$0")/demo_test.mjs"
+WEB_PACKAGE=$1/build/web/package WEB_DRAWINGS=$drawings node --test "$(dirname "$0")"/*_test.mjs

@@ -1,11 +1,8 @@
 // The page: a three.js scene whose lines a worker of lineatlas finds when the camera rests.
-import { AmbientLight, Box3, Color, DirectionalLight, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { supported } from 'lineatlas';
 import { RestingLines, cameraOf, lineSegmentsOf, meshesOf } from 'lineatlas/three';
 import { LinesWorker } from 'lineatlas/worker';
@@ -208,15 +205,33 @@ function setModel(object) {
   makeLines();
 }
 
+/// What a file holds that the package reads: a mesh for each object, and lines.
+function objectOf({ mesh }) {
+  const root = new Group(), positions = new BufferAttribute(mesh.positions, 3), cornersOf = new Map();
+  mesh.indices.forEach((corner, i) => {
+    const name = mesh.groups?.[mesh.materials[(i / 3) | 0]].object ?? '';
+    if (!cornersOf.has(name)) cornersOf.set(name, []);
+    cornersOf.get(name).push(corner);
+  });
+  for (const [name, corners] of cornersOf) {
+    const part = new Mesh(new BufferGeometry().setAttribute('position', positions).setIndex(corners), faces);
+    part.name = name;
+    root.add(part);
+  }
+  for (const line of mesh.polylines ?? []) {
+    const points = line instanceof Uint32Array ? [...line].flatMap((i) => [...mesh.positions.subarray(3 * i, 3 * i + 3)]) : line;
+    root.add(new Line(new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(points), 3)), rough));
+  }
+  return root;
+}
+
 async function open(file) {
   try {
     say(`Reading ${file.name}`);
     const type = file.name.split('.').pop().toLowerCase();
-    const one = (geometry) => new Group().add(new Mesh(geometry, faces));
+    const own = async () => objectOf(await worker.readMesh(await file.arrayBuffer(), file.name));
     const readers = {
-      obj: async () => new OBJLoader().parse(await file.text()),
-      stl: async () => one(new STLLoader().parse(await file.arrayBuffer())),
-      ply: async () => one(new PLYLoader().parse(await file.arrayBuffer())),
+      obj: own, ply: own, stl: own, off: own,
       glb: async () => (await new GLTFLoader().parseAsync(await file.arrayBuffer(), '')).scene,
       gltf: async () => (await new GLTFLoader().parseAsync(await file.text(), '')).scene,
     };

@@ -31,6 +31,8 @@
 #include "lineatlas/vector.hpp"
 #include "lineatlas/visibility.hpp"
 
+#include "io/own_readers.hpp"
+
 #define EXPORT(name) __attribute__((export_name(#name))) extern "C"
 
 /// Of the page: told what share is done, says whether to go on.
@@ -134,7 +136,7 @@ void append(Model& model, Mesh mesh, std::string name) {
         mesh.triangle_group.assign(mesh.triangles.size(), 0);
     }
     for (MeshGroup& group : mesh.groups) {
-        group.object = name;
+        if (group.object.empty()) group.object = name;
         all.groups.push_back(std::move(group));
     }
     all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -142,6 +144,71 @@ void append(Model& model, Mesh mesh, std::string name) {
     for (const std::uint32_t group : mesh.triangle_group)
         all.triangle_group.push_back(groups + group);
     all.triangle_object.insert(all.triangle_object.end(), mesh.triangles.size(), part);
+}
+
+/// Names as the page gives them: each ends in a zero.
+std::string take_name(std::string_view& names) {
+    const std::size_t end = std::min(names.find('\0'), names.size());
+    std::string name{names.substr(0, end)};
+    names.remove_prefix(std::min(end + 1, names.size()));
+    return name;
+}
+
+/// The groups whose numbers `materials` are: an object and a material of each.
+void set_groups(Mesh& mesh, std::string_view names, std::span<const std::uint32_t> materials) {
+    while (!names.empty()) {
+        std::string object = take_name(names);
+        mesh.groups.push_back({.object = std::move(object), .material = take_name(names)});
+    }
+    if (materials.size() != mesh.triangles.size())
+        throw UsageError("mesh: there are " + std::to_string(mesh.triangles.size()) +
+                         " triangles and " + std::to_string(materials.size()) + " materials");
+    for (const std::uint32_t material : materials)
+        if (material >= mesh.groups.size())
+            throw UsageError("mesh: there is no group " + std::to_string(material) + " among " +
+                             std::to_string(mesh.groups.size()));
+    mesh.triangle_group.assign(materials.begin(), materials.end());
+}
+
+/// What a file holds, as arrays.
+struct Loaded {
+    LoadedMesh model;
+    std::string notes, groups; ///< a line each; an object and a material of each
+    std::vector<std::uint32_t> polylines, polyline_ends; ///< vertices; how many up to each end
+};
+std::unique_ptr<Loaded> loaded;
+
+std::string extension_of(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    std::string extension{dot == name.npos ? std::string_view{} : name.substr(dot)};
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+LoadedMesh load(SourceFile file) {
+    const std::string name = file.path, extension = extension_of(name);
+    if (file.bytes.empty()) throw read_error(name, "the file is empty");
+    if (!has_own_reader(extension)) {
+        refuse_other_types(file, extension);
+        throw read_error(name, "unknown mesh type \"" + printable(extension) +
+                                   "\"; known are .obj, .ply, .stl and .off");
+    }
+    return finish(read_own(std::move(file), extension, {}, ProgressPart::none()), name);
+}
+
+/// With its names and lines as the page takes them.
+std::unique_ptr<Loaded> as_arrays(LoadedMesh model) {
+    auto made = std::make_unique<Loaded>();
+    for (const std::string& note : model.notes) made->notes += note + '\n';
+    for (const MeshGroup& group : model.mesh.groups)
+        made->groups += group.object + '\0' + group.material + '\0';
+    for (const std::vector<std::uint32_t>& line : model.mesh.polylines) {
+        made->polylines.insert(made->polylines.end(), line.begin(), line.end());
+        made->polyline_ends.push_back(static_cast<std::uint32_t>(made->polylines.size()));
+    }
+    made->model = std::move(model);
+    return made;
 }
 
 /// An index of the page: of the part, and within it.
@@ -273,16 +340,51 @@ EXPORT(la_free_model) void la_free_model(Model* model) {
     delete model;
 }
 
+/// Reads a file in memory, whose name says of what type it is. la_loaded() and what follows it tell
+/// what it holds, until la_drop_loaded().
+EXPORT(la_load)
+bool la_load(const char* bytes, std::uint32_t size, const char* name, std::uint32_t name_size) {
+    return guarded([&] {
+        loaded = as_arrays(load({.path = {name, name_size}, .bytes = {bytes, size}}));
+    });
+}
+/// Of a list of the file: 0 positions, 1 indices, 2 materials, 3 groups, 4 notes, 5 vertices
+/// of polylines, 6 where each ends, 7 the origin.
+EXPORT(la_loaded) const void* la_loaded(int list) {
+    const Mesh& mesh = loaded->model.mesh;
+    const std::array<const void*, 8> lists{mesh.positions.data(),        mesh.triangles.data(),
+                                           mesh.triangle_group.data(),   loaded->groups.data(),
+                                           loaded->notes.data(),         loaded->polylines.data(),
+                                           loaded->polyline_ends.data(), &loaded->model.origin};
+    return lists[static_cast<std::size_t>(list)];
+}
+/// How many numbers it has.
+EXPORT(la_loaded_size) std::size_t la_loaded_size(int list) {
+    const Mesh& mesh = loaded->model.mesh;
+    const std::array<std::size_t, 8> sizes{3 * mesh.positions.size(),    3 * mesh.triangles.size(),
+                                           mesh.triangle_group.size(),   loaded->groups.size(),
+                                           loaded->notes.size(),         loaded->polylines.size(),
+                                           loaded->polyline_ends.size(), 3};
+    return sizes[static_cast<std::size_t>(list)];
+}
+EXPORT(la_drop_loaded) void la_drop_loaded() {
+    loaded.reset();
+}
+
 EXPORT(la_add_mesh)
 bool la_add_mesh(Model* model, const char* name, std::uint32_t name_size, const float* positions,
                  std::uint32_t position_count, std::uint32_t stride, const std::uint32_t* indices,
                  std::uint32_t index_count, const std::uint32_t* materials,
-                 std::uint32_t material_count, const float* matrix) {
+                 std::uint32_t material_count, const char* groups, std::uint32_t groups_size,
+                 const float* matrix) {
     return guarded([&] {
+        const auto given = numbers(materials, material_count);
+        const bool named = groups_size > 0;
         Mesh mesh = make_mesh({.positions = numbers(positions, position_count),
                                .stride = stride,
                                .indices = numbers(indices, index_count),
-                               .materials = numbers(materials, material_count)});
+                               .materials = named ? std::span<const std::uint32_t>{} : given});
+        if (named) set_groups(mesh, {groups, groups_size}, given);
         if (matrix != nullptr) place(mesh, matrix);
         append(*model, std::move(mesh), std::string{name, name_size});
     });
@@ -300,6 +402,25 @@ bool la_add_polyline(Model* model, const float* points, std::uint32_t point_coun
             line.emplace_back(
                 transformed(place, {points[3 * i], points[3 * i + 1], points[3 * i + 2]}));
         add_polyline(mesh, line);
+        mesh.polyline_object.push_back(static_cast<std::uint32_t>(model->parts.size()) - 1);
+    });
+}
+
+/// Of the mesh that was added last: its vertices.
+EXPORT(la_join_vertices)
+bool la_join_vertices(Model* model, const std::uint32_t* vertices, std::uint32_t count) {
+    return guarded([&] {
+        Mesh& mesh = model->mesh;
+        const std::uint32_t first = model->parts.back().first_position;
+        std::vector<std::uint32_t> line;
+        for (const std::uint32_t vertex : numbers(vertices, count)) {
+            if (vertex >= mesh.positions.size() - first)
+                throw UsageError("mesh: a polyline has the vertex " + std::to_string(vertex) +
+                                 ", but there are " +
+                                 std::to_string(mesh.positions.size() - first));
+            line.push_back(first + vertex);
+        }
+        mesh.polylines.push_back(std::move(line));
         mesh.polyline_object.push_back(static_cast<std::uint32_t>(model->parts.size()) - 1);
     });
 }
