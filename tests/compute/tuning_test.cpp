@@ -44,6 +44,7 @@ depth_lanes = 1
 depth_tile = 32
 depth_workers = 4096
 depth_clusters = 4294967295
+depth_each = true
 halo_lanes = 1
 face_lanes = 1
 face_chunks = 1024

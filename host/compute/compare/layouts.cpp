@@ -124,6 +124,7 @@ const Layout& layout_of(std::string_view type) {
                 {"high_y", FieldKind::integer},
                 {"nearest", FieldKind::number},
                 {"key", FieldKind::integer}}},
+        Layout{"DepthTexel", {{"rank", FieldKind::integer}, {"order", FieldKind::number}}},
         Layout{"Cluster",
                {{"low", FieldKind::number, 3},
                 {"high", FieldKind::number, 3},

@@ -58,6 +58,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #define DEPTH_LANES 4
 #endif
 #define DEPTH_TILE 240 // as Tuning::depth_tile
+#define LONG_ATOMICS 1
 
 // Each file of kernels in a namespace of its own: CMake lists those that have one form.
 #include "kernel_files.hpp"

@@ -42,7 +42,12 @@ bool is_launched(const Kernel& kernel, std::uint32_t probes, const Tuning& tunin
         "visible_parts",    "visible_join",      "visible_spans"};
     if (is_among(without_face_lists, kernel.name)) return !tuning.face_lists;
     if (is_among(with_face_lists, kernel.name)) return tuning.face_lists;
-    if (kernel.name == "depth_tiles") return kernel.defines == "-DNUMBERED";
+    constexpr std::string_view each[] = {"depth_begin", "depth_keys",  "depth_positions",
+                                         "depth_small", "depth_large", "depth_pairs",
+                                         "depth_end",   "depth_seen"};
+    if (is_among(each, kernel.name)) return tuning.depth_each;
+    if (kernel.name == "depth_order") return !tuning.depth_each;
+    if (kernel.name == "depth_tiles") return !tuning.depth_each && kernel.defines == "-DNUMBERED";
     if (kernel.name == "atlas")
         return kernel.defines == "-DPROBES_PER_AXIS=" + std::to_string(probes);
     return true;

@@ -135,6 +135,11 @@ class Stages {
 
     /// Those of `args`, or such of which nothing is known.
     Buffer& blank_tiles(const DepthArgs& args);
+    /// Where Tuning::depth_each, what depth_order and depth_tiles do.
+    void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
+    /// The order of the clusters, and where each stands in it.
+    void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
+                        Buffer& positions);
     /// Of what `wanted` asks for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
@@ -153,6 +158,12 @@ class Stages {
         depth_unasked,
         depth_no_numbers,
         depth_blank,
+        // Where Tuning::depth_each:
+        depth_counts,
+        depth_positions,
+        depth_texels,
+        depth_large_count,
+        depth_large,
         density_rows,
         density_drawn,
         density_excesses,
