@@ -360,7 +360,9 @@ typedef struct IntervalsParameters {
     kernel(fill, fill_pixels, FillPixelsParameters) \
     kernel(strokes, strokes_count, StrokeListParameters) \
     kernel(strokes, strokes_list, StrokeListParameters) \
-    kernel(strokes, strokes_tiles, StrokesParameters)
+    kernel(strokes, strokes_tiles, StrokesParameters) \
+    kernel(strokes, strokes_boxes, StrokesParameters) \
+    kernel(strokes, strokes_pixels, StrokesParameters)
 
 /* clang-format on */
 #endif

@@ -26,7 +26,7 @@ Devices devices_here(bool of_gpu = false) {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
     tuning.scan_tiles = true; // C++ runs the chunks
-    tuning.depth_each = tuning.face_lists = of_gpu;
+    tuning.depth_each = tuning.stroke_pixels = tuning.face_lists = of_gpu;
     return make_devices(compute::make_opencl_backend(device, {}, tuning));
 }
 
@@ -47,7 +47,7 @@ TEST(Rows, EveryRowRunsAndEveryKernelIsInOne) {
     Names seen;
     const Devices devices = devices_here(), of_gpu = devices_here(true);
     run(devices, all_rows(devices), seen);
-    for (const auto& rows : {depth_rows, exact_rows}) run(of_gpu, rows(of_gpu), seen);
+    for (const auto& rows : {depth_rows, strokes_rows, exact_rows}) run(of_gpu, rows(of_gpu), seen);
     for (const compute::Kernel& kernel : compute::all_kernels()) {
         EXPECT_TRUE(seen.contains(std::string{kernel.name})) << kernel.name;
     }

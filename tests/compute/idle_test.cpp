@@ -45,6 +45,7 @@ std::vector<std::string_view> all_stages() {
 compute::Tuning cpp_tuning(bool of_gpu, bool scan_tiles = false) {
     return {.scan_tiles = scan_tiles,
             .depth_each = of_gpu,
+            .stroke_pixels = of_gpu,
             .face_lists = of_gpu};
 }
 

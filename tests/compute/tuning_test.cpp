@@ -45,6 +45,7 @@ depth_tile = 32
 depth_workers = 4096
 depth_clusters = 4294967295
 depth_each = true
+stroke_pixels = true
 halo_lanes = 1
 face_lanes = 1
 face_chunks = 1024

@@ -36,7 +36,7 @@ std::vector<TestDevice> test_devices();
 /// `cpp` with the forms of a GPU that it has.
 TestDevice cpp_as_gpu();
 
-/// The device with triangles drawn in the other form: those of a GPU, or of a CPU.
+/// The device with triangles and strokes drawn in the other form: those of a GPU, or of a CPU.
 std::unique_ptr<compute::Device> in_other_form(const TestDevice& device);
 
 /// Of these each OpenCL device once, in its own tuning; `index`: in list_opencl_devices().

@@ -168,6 +168,7 @@ class Stages {
         density_drawn,
         density_excesses,
         corner_facing,
+        stroke_boxes, // where Tuning::stroke_pixels
         // Of the method exact where Tuning::face_lists:
         list_ranges,
         list_keys,
