@@ -184,7 +184,8 @@ void Stages::depth_each(const DepthArgs& args, DepthParameters parameters, Buffe
                         divide_up(tuning_.depth_tile, LA_TILE) *
                         divide_up(tuning_.depth_tile, LA_TILE);
     launch<kernels::depth_end>(blocks, parameters, tables, model, args);
-    launch<kernels::depth_seen>(model.count, parameters, tables, args);
+    // Numbers say of each texel which cluster is seen there.
+    if (!numbered) launch<kernels::depth_seen>(model.count, parameters, tables, args);
 }
 
 void Stages::planes(const PlanesArgs& args) {
