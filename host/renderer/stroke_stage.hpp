@@ -112,6 +112,8 @@ class StrokeStage {
     void prepare(const Frame& frame);
     /// How many runs there are, and so what of the table means something; waits.
     void read_totals(RunTable& table);
+    /// After table.totals have come.
+    void use_totals(RunTable& table);
     void make_table(RunTable& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
     bool grow(RunTable& table);
