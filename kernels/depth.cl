@@ -8,6 +8,10 @@
  * texels they touch (Greene et al. 1993). Coverage is decided as GL does it: by texel centres, in
  * fixed point, and an edge of two triangles belongs to one of them.
  *
+ * Where each triangle draws itself (Tuning::depth_each, depth_each.h), clusters are ordered in
+ * chunks, all triangles that may be seen go into a table of their own, small ones first, and what
+ * has been found there is stored.
+ *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
  * once, and texels that are filled at once, 1 on GPUs. NUMBERED: each texel also gets the number of
  * the triangle that it shows. */
@@ -166,3 +170,183 @@ KERNEL(depth_tiles, DepthParameters) {
         if (any || tile.begins) store_tile(&tile);
     }
 }
+
+#ifndef NUMBERED
+#include "depth_each.h"
+
+/* One work-item per texel. */
+KERNEL(depth_begin, DepthParameters) {
+    const uint i = (uint)get_global_id(0);
+    const int2 size = to_int2(args.depth_size);
+    if (i >= (uint)size.x * (uint)size.y) return;
+    texels[i].rank = LA_NO_RANK;
+    texels[i].order = order_of(1.0f);
+}
+
+/* The clusters of a chunk. */
+static uint2 clusters_of(const DepthParameters* args, const uint chunk) {
+    return uint2(min(chunk * args->chunk, args->count),
+                 min((chunk + 1u) * args->chunk, args->count));
+}
+
+/* counts: of each key, for each chunk, its clusters; all 0 before. One work-item per chunk. */
+KERNEL(depth_keys, DepthParameters) {
+    const uint chunk = (uint)get_global_id(0);
+    if (chunk >= args.chunks) return;
+    const uint2 own = clusters_of(&args, chunk);
+    for (uint i = own.x; i < own.y; ++i) {
+        if (places[i].key != LA_OUT_OF_VIEW) counts[places[i].key * args.chunks + chunk] += 1u;
+    }
+}
+
+/* The order of depth_order. counts: scanned. positions: of each cluster in `order`. */
+KERNEL(depth_positions, DepthParameters) {
+    const uint chunk = (uint)get_global_id(0);
+    if (chunk >= args.chunks) return;
+    const uint2 own = clusters_of(&args, chunk);
+    for (uint i = own.x; i < own.y; ++i) {
+        if (places[i].key == LA_OUT_OF_VIEW) continue;
+        const uint at = counts[places[i].key * args.chunks + chunk]++;
+        positions[i] = at;
+        order[at] = i;
+    }
+}
+
+/* Fills small triangles; lists the others, but not where ranks follow depths: the list stays. One
+ * work-item per triangle of a full cluster. */
+KERNEL(depth_small, DepthParameters) {
+    const uint i = (uint)get_global_id(0);
+    const uint cluster = i / LA_MESHLET_TRIANGLES, t = i % LA_MESHLET_TRIANGLES;
+    if (cluster >= args.count || places[cluster].key == LA_OUT_OF_VIEW) return;
+    const Meshlet meshlet = meshlets[cluster];
+    if (t >= meshlet.triangle_count) return;
+    const View view = make_view(&args);
+    Target to = make_target(&args, texels);
+    const OneTriangle one = one_triangle(&view, meshlet, t, vertex_list, corners, vertices);
+    bool in_pairs = is_cut(&one), wide = false;
+    if (!in_pairs) {
+        const int4 box = within(&to, texels_of(one.a, one.b, one.c, &in_pairs));
+        if (is_empty(box)) return;
+        if (!in_pairs && (box.z - box.x + 1) * (box.w - box.y + 1) <= FEW_TEXELS) {
+            if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS);
+            fill_small(&to, one.a, one.b, one.c, box);
+            return;
+        }
+        wide = is_wide(box);
+    }
+    if (to.finds != LA_FINDS_RANKS)
+        large_list[atomic_inc(large_count)] =
+            i | (in_pairs ? SET_UP_IN_PAIRS : 0u) | (wide ? WIDE : 0u);
+}
+
+/* Fills the triangles that depth_small has listed and that ints hold. LA_DEPTH_SHARE work-items per
+ * triangle, which take further ones. */
+KERNEL(depth_large, DepthParameters) {
+    const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
+    const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);
+    const View view = make_view(&args);
+    Target to = make_target(&args, texels);
+    for (uint e = (uint)get_global_id(0) / LA_DEPTH_SHARE; e < large_count[0]; e += step) {
+        const bool wide = (large_list[e] & WIDE) != 0;
+        if ((large_list[e] & SET_UP_IN_PAIRS) != 0 || !has_share(share, wide)) continue;
+        const uint entry = large_list[e] & ~WIDE;
+        const uint cluster = entry / LA_MESHLET_TRIANGLES, t = entry % LA_MESHLET_TRIANGLES;
+        const OneTriangle one =
+            one_triangle(&view, meshlets[cluster], t, vertex_list, corners, vertices);
+        if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS);
+        bool large;
+        const int4 box = within(&to, texels_of(one.a, one.b, one.c, &large));
+        fill_shared(&to, one.a, one.b, one.c, box, wide, share);
+    }
+}
+
+/* The same of those that ints don't hold, and of those that planes of the view cut. */
+KERNEL(depth_pairs, DepthParameters) {
+    const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
+    const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);
+    const View view = make_view(&args);
+    Target to = make_target(&args, texels);
+    for (uint e = (uint)get_global_id(0) / LA_DEPTH_SHARE; e < large_count[0]; e += step) {
+        if ((large_list[e] & SET_UP_IN_PAIRS) == 0) continue;
+        const uint entry = large_list[e] & ~(SET_UP_IN_PAIRS | WIDE);
+        const uint cluster = entry / LA_MESHLET_TRIANGLES, t = entry % LA_MESHLET_TRIANGLES;
+        const OneTriangle one =
+            one_triangle(&view, meshlets[cluster], t, vertex_list, corners, vertices);
+        const bool cut = is_cut(&one);
+        if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, cut ? CUT : LARGE);
+        if (cut)
+            fill_cut(&to, &view, vload3(one.i, vertices), vload3(one.j, vertices),
+                     vload3(one.k, vertices), share);
+        else
+            fill_in_pairs(&to, one.a, one.b, one.c, share);
+    }
+}
+
+/* Stores what has been found, and says what blocks show, as store_tile() does. One work-item per
+ * block of LA_TILE texels a side, of those in the tiles. */
+KERNEL(depth_end, DepthParameters) {
+    const int2 size = to_int2(args.depth_size), low = to_int2(args.covered);
+    const int2 tiles = to_int2(args.tiles);
+    const int2 high =
+        int2(min(low.x + tiles.x * DEPTH_TILE, size.x), min(low.y + tiles.y * DEPTH_TILE, size.y));
+    const int columns = (high.x - low.x + LA_TILE - 1) / LA_TILE;
+    const int rows = (high.y - low.y + LA_TILE - 1) / LA_TILE;
+    const int i = (int)get_global_id(0);
+    if (columns <= 0 || i >= columns * rows) return;
+    const int2 from = low + int2(i % columns * LA_TILE, i / columns * LA_TILE);
+    const int2 to = int2(min(from.x + LA_TILE, high.x), min(from.y + LA_TILE, high.y));
+    float farthest = 0.0f, nearest = 1.0f;
+    for (int y = from.y; y < to.y; ++y) {
+        for (int x = from.x; x < to.x; ++x) {
+            const float z = depth_of(texels[(size_t)y * (size_t)size.x + (size_t)x].order);
+            farthest = fmax(farthest, z);
+            nearest = fmin(nearest, z);
+        }
+    }
+    const int block = from.y / LA_TILE * ((size.x + LA_TILE - 1) / LA_TILE) + from.x / LA_TILE;
+    const bool is_blank = nearest >= 1.0f, was_blank = blank[block] != 0;
+    pyramid[block] = farthest;
+    blank[block] = is_blank ? 1 : 0;
+    if (is_blank && was_blank) return;
+    uint last = LA_NO_RANK;
+    for (int y = from.y; y < to.y; ++y) {
+        for (int x = from.x; x < to.x; ++x) {
+            const size_t at = (size_t)y * (size_t)size.x + (size_t)x;
+            if (args.keeps_depth != 0) depth[at] = depth_of(texels[at].order);
+            if (args.numbered == 0) continue;
+            const uint rank = texels[at].rank;
+            if (rank == LA_NO_RANK) {
+                numbers[at] = LA_NO_FACE;
+                continue;
+            }
+            const uint cluster = order[rank >> LA_RANK_BITS];
+            numbers[at] = clusters[cluster].first + triangle_of(rank);
+            if (cluster != last) atomic_max(seen + cluster, 1u);
+            last = cluster;
+        }
+    }
+}
+
+/* Adds to the clusters that texels show those that nothing before them hides. One work-item per
+ * cluster. */
+KERNEL(depth_seen, DepthParameters) {
+    const uint i = (uint)get_global_id(0);
+    if (i >= args.count || places[i].key == LA_OUT_OF_VIEW || seen[i] != 0) return;
+    const int2 size = to_int2(args.depth_size), low = to_int2(args.covered);
+    const int2 tiles = to_int2(args.tiles);
+    const int2 last = int2(min(low.x + tiles.x * DEPTH_TILE, size.x) - 1,
+                           min(low.y + tiles.y * DEPTH_TILE, size.y) - 1);
+    const int columns = (size.x + LA_TILE - 1) / LA_TILE;
+    const int left = max(places[i].low_x, low.x) / LA_TILE;
+    const int right = min(places[i].high_x, last.x) / LA_TILE;
+    const int below = max(places[i].low_y, low.y) / LA_TILE;
+    const int above = min(places[i].high_y, last.y) / LA_TILE;
+    for (int y = below; y <= above; ++y) {
+        for (int x = left; x <= right; ++x) {
+            if (pyramid[y * columns + x] < places[i].nearest) continue;
+            seen[i] = 1;
+            return;
+        }
+    }
+}
+#endif

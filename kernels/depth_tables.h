@@ -15,6 +15,25 @@ typedef struct ClusterPlace {
 #define LA_DEPTH_KEYS 1024u
 #define LA_OUT_OF_VIEW LA_DEPTH_KEYS
 
+/* Work-items that share a large triangle where each draws itself. */
+#define LA_DEPTH_SHARE 256u
+/* Bits of a triangle's rank within its cluster. */
+#define LA_RANK_BITS 8u
+/* Rank of no triangle. */
+#define LA_NO_RANK 0xFFFFFFFFu
+
+/* A texel while triangles draw themselves. Read as one number of 64 bits, the least is what shows.
+ */
+typedef struct DepthTexel {
+    la_uint rank;  /* of the triangle */
+    la_uint order; /* its depth, negated if it is positive: as whole numbers these are in order */
+} DepthTexel;
+
+/* What a pass over the triangles finds in texels. */
+#define LA_FINDS_DEPTHS 0u
+#define LA_FINDS_RANKS 1u /* of the depths that are there */
+#define LA_FINDS_BOTH 2u  /* at the same time, by LONG_ATOMICS */
+
 typedef struct DepthParameters {
     la_uint count; /* clusters */
     la_mat4 clip_from_world;
@@ -27,6 +46,10 @@ typedef struct DepthParameters {
     la_uint stride;      /* of the rows of `boxes`: at least `count` + LA_MESHLET_PADDING */
     la_uint begin, end;  /* clusters of the sorted list to draw; from 0 on depth is cleared */
     la_uint keeps_depth; /* of numbered depth 0: the numbers alone are stored */
+    /* Where each triangle draws itself: */
+    la_uint chunk, chunks; /* clusters that a work-item sorts, and how many do */
+    la_uint numbered;      /* 1: numbers are wanted */
+    la_uint finds;         /* LA_FINDS_* */
 } DepthParameters;
 
 /* Lists stay lists: */
@@ -40,5 +63,24 @@ typedef struct DepthParameters {
     in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
     in(float, vertices) unordered(uint, next) inout(float, depth) inout(uint, numbers) \
     inout(float, pyramid) inout(uchar, blank) inout(uint, seen)
+#define depth_begin_tables(in, out, inout, unordered) out(DepthTexel, texels)
+#define depth_keys_tables(in, out, inout, unordered) in(ClusterPlace, places) inout(uint, counts)
+#define depth_positions_tables(in, out, inout, unordered) \
+    in(ClusterPlace, places) inout(uint, counts) out(uint, positions) out(uint, order)
+#define DEPTH_MODEL_TABLES(in) \
+    in(Cluster, clusters) in(Meshlet, meshlets) in(uint, vertex_list) in(uchar, corners) \
+    in(float, vertices) in(uint, positions)
+#define depth_small_tables(in, out, inout, unordered) \
+    in(ClusterPlace, places) DEPTH_MODEL_TABLES(in) inout(DepthTexel, texels) inout(uint, large_count) \
+    unordered(uint, large_list)
+#define depth_large_tables(in, out, inout, unordered) \
+    DEPTH_MODEL_TABLES(in) inout(DepthTexel, texels) in(uint, large_count) \
+    unordered(uint, large_list)
+#define depth_pairs_tables(in, out, inout, unordered) depth_large_tables(in, out, inout, unordered)
+#define depth_end_tables(in, out, inout, unordered) \
+    in(DepthTexel, texels) in(uint, order) in(Cluster, clusters) inout(float, depth) \
+    inout(uint, numbers) inout(float, pyramid) inout(uchar, blank) inout(uint, seen)
+#define depth_seen_tables(in, out, inout, unordered) \
+    in(ClusterPlace, places) in(float, pyramid) inout(uint, seen)
 /* clang-format on */
 #endif

@@ -169,6 +169,13 @@ INLINED void fill(Tile* tile, const int number, const TriangleLanes* lanes, cons
         fill_wide(tile, at, number, columns, rows, &edges, plane);
 }
 
+/* Where a corner of clip space that is in front of the eye lies. */
+static float3 on_screen(const View* view, const float4 corner) {
+    const float3 n = xyz(corner) / corner.w;
+    return float3(n.x * view->half_size.x + view->shift.x, n.y * view->half_size.y + view->shift.y,
+                  n.z * 0.5f + 0.5f);
+}
+
 INLINED void draw_clipped(const View* view, Tile* tile, const int number, const float3 a,
                           const float3 b, const float3 c) {
     const Matrix m = view->m;
@@ -178,11 +185,7 @@ INLINED void draw_clipped(const View* view, Tile* tile, const int number, const 
     corner[2] = (m.x * c.x + m.y * c.y) + (m.z * c.z + m.w);
     const int count = clip_to_view(corner, view->guard);
     float3 place[MOST_CORNERS];
-    for (int i = 0; i < count; ++i) {
-        const float3 n = xyz(corner[i]) / corner[i].w;
-        place[i] = float3(n.x * view->half_size.x + view->shift.x,
-                          n.y * view->half_size.y + view->shift.y, n.z * 0.5f + 0.5f);
-    }
+    for (int i = 0; i < count; ++i) place[i] = on_screen(view, corner[i]);
     for (int i = 2; i < count; ++i) fill_large(tile, number, place[0], place[i - 1], place[i]);
 }
 

@@ -267,6 +267,14 @@ typedef struct IntervalsParameters {
     kernel(depth, depth_bin, DepthParameters) \
     kernel(depth, depth_order, DepthParameters) \
     of_numbers(depth, depth_tiles, DepthParameters) \
+    kernel(depth, depth_begin, DepthParameters) \
+    kernel(depth, depth_keys, DepthParameters) \
+    kernel(depth, depth_positions, DepthParameters) \
+    kernel(depth, depth_small, DepthParameters) \
+    kernel(depth, depth_large, DepthParameters) \
+    kernel(depth, depth_pairs, DepthParameters) \
+    kernel(depth, depth_end, DepthParameters) \
+    kernel(depth, depth_seen, DepthParameters) \
     kernel(planes, planes, PlanesParameters) \
     kernel(pyramid, pyramid, PyramidParameters) \
     kernel(cull, cull, CullParameters) \
@@ -353,7 +361,9 @@ typedef struct IntervalsParameters {
     kernel(fill, fill_pixels, FillPixelsParameters) \
     kernel(strokes, strokes_count, StrokeListParameters) \
     kernel(strokes, strokes_list, StrokeListParameters) \
-    kernel(strokes, strokes_tiles, StrokesParameters)
+    kernel(strokes, strokes_tiles, StrokesParameters) \
+    kernel(strokes, strokes_boxes, StrokesParameters) \
+    kernel(strokes, strokes_pixels, StrokesParameters)
 
 /* clang-format on */
 #endif

@@ -88,14 +88,19 @@ static float2 weights_along(const StrokesParameters* args, __global const Run* r
     return range;
 }
 
+/* The stroke's priority for `density`. */
+static void find_bin(__global const Run* run, Stroke* s) {
+    const uint priority = run->flags >> LA_RUN_BIN_SHIFT & LA_RUN_BIN_MASK;
+    s->bin = priority / LA_BIN_STEPS;
+    s->next_bin = (float)(priority % LA_BIN_STEPS) * (1.0f / LA_BIN_STEPS);
+}
+
 /* What `density` leaves of the stroke. */
 static void thin_out(const StrokesParameters* args, __global const Run* run,
                      __global const float* weights, Stroke* s) {
     s->is_thinned = false;
     if (args->cells.v[0] == 0) return;
-    const uint priority = run->flags >> LA_RUN_BIN_SHIFT & LA_RUN_BIN_MASK;
-    s->bin = priority / LA_BIN_STEPS;
-    s->next_bin = (float)(priority % LA_BIN_STEPS) * (1.0f / LA_BIN_STEPS);
+    find_bin(run, s);
     float2 range = weights_along(args, run, weights, s->bin);
     if (s->next_bin > 0.0f) {
         const float2 next = weights_along(args, run, weights, s->bin + 1u);
@@ -105,8 +110,8 @@ static void thin_out(const StrokesParameters* args, __global const Run* run,
     if (!s->is_thinned) s->opacity *= range.x;
 }
 
-static Stroke make_stroke(const StrokesParameters* args, __global const Run* run,
-                          __global const uchar* alpha, __global const float* weights) {
+/* All of a stroke but what its samples and `density` say. */
+INLINED Stroke shape_stroke(const StrokesParameters* args, __global const Run* run) {
     Stroke s;
     s.start = vload2(0, run->start);
     s.end = vload2(0, run->end);
@@ -139,14 +144,31 @@ static Stroke make_stroke(const StrokesParameters* args, __global const Run* run
     s.cut_from = start_cut ? 0.0f : -FAR_AWAY;
     s.cut_to = end_cut ? s.length : FAR_AWAY;
     s.is_solid = exact && (flags & LA_RUN_SOLID) != 0;
-    s.is_even = s.is_solid || is_even_along(run, alpha, args->hidden);
     s.first_sample = run->start_sample;
     s.sample_step = (run->end_sample - run->start_sample) * per_pixel;
     s.last_sample = (float)(run->samples - 1u);
     s.is_marked = args->mark_length > 0;
     s.first_turn = run->start_arc * args->per_repeat;
     s.turn_step = (run->end_arc - run->start_arc) * per_pixel * args->per_repeat;
+    return s;
+}
+
+INLINED Stroke make_stroke(const StrokesParameters* args, __global const Run* run,
+                           __global const uchar* alpha, __global const float* weights) {
+    Stroke s = shape_stroke(args, run);
+    s.is_even = s.is_solid || is_even_along(run, alpha, args->hidden);
     thin_out(args, run, weights, &s);
+    return s;
+}
+
+/* The same of a run of which `box` tells what takes long to find. */
+INLINED Stroke make_known_stroke(const StrokesParameters* args, __global const Run* run,
+                                 const StrokeBox box) {
+    Stroke s = shape_stroke(args, run);
+    s.is_even = (box.flags & LA_STROKE_EVEN) != 0;
+    s.is_thinned = (box.flags & LA_STROKE_THINNED) != 0;
+    s.opacity = box.opacity;
+    find_bin(run, &s);
     return s;
 }
 

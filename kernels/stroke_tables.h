@@ -26,6 +26,7 @@ typedef struct StrokeListParameters {
 #define LA_ALL_PENS 0xFFFFFFFFu
 
 typedef struct StrokesParameters {
+    la_uint count;       /* runs */
     la_ivec2 tiles;      /* of the whole picture */
     la_uint chunks;      /* as in StrokeListParameters */
     la_uint capacity;    /* of `entries` */
@@ -49,6 +50,20 @@ typedef struct StrokesParameters {
     in(Run, runs) in(uint, ends) in(uint, entries) in(uchar, alpha) in(float, mark) \
     in(float, weights) \
     inout(uchar, coverage) inout(uint, shown)
+/* What of a run's stroke is found once, not by each pixel. */
+typedef struct StrokeBox {
+    float low[2], high[2]; /* it covers no pixels but those above `low` and up to `high` */
+    la_uint flags;         /* LA_STROKE_*; 0: it is another pen's */
+    float opacity;
+} StrokeBox;
+#define LA_STROKE_DRAWN 1u   /* by the pen that is drawn */
+#define LA_STROKE_EVEN 2u    /* its visibility is 1 all along */
+#define LA_STROKE_THINNED 4u /* `density` leaves some of it out, differently along it */
+#define strokes_boxes_tables(in, out, inout, unordered) \
+    in(Run, runs) in(uchar, alpha) in(float, weights) out(StrokeBox, boxes)
+#define strokes_pixels_tables(in, out, inout, unordered) \
+    in(Run, runs) in(StrokeBox, boxes) in(uint, ends) in(uint, entries) in(uchar, alpha) \
+    in(float, mark) in(float, weights) inout(uchar, coverage) inout(uint, shown)
 /* clang-format on */
 
 #endif

@@ -5,7 +5,8 @@
  * The result is a byte of coverage per pixel and pen; all strokes of a pen have one colour.
  *
  * strokes_count, strokes_list: one work-item per chunk. strokes_tiles: one work-item per tile,
- * which is in local memory, or, with DEPTH_LANES 1, one per pixel. */
+ * which is in local memory. Or strokes_boxes, one work-item per run, and strokes_pixels, one per
+ * DEPTH_LANES pixels (Tuning::stroke_pixels): those of a GPU. */
 
 #define LANES DEPTH_LANES
 #include "stroke.h"
@@ -98,20 +99,25 @@ static bool is_drawn(const StrokesParameters* args, __global const Run* run) {
            (run->flags >> LA_RUN_PEN_SHIFT & LA_RUN_PEN_MASK) == args->pen;
 }
 
-#if LANES > 1
 #define STROKE_STRIDE (LA_STROKE_TILE + LANES)
 
-/* The pixels of a tile from corner on that a stroke may cover: from xy to zw, inclusive. */
-static int4 box_of(const Stroke* s, const int2 corner, const int4 within) {
+/* A stroke covers no pixels but those whose numbers are above xy and up to zw. */
+static float4 bounds_of(const Stroke* s) {
     const float2 beyond = s->along * s->before, after = s->along * s->after;
     const float2 a = s->start_side * s->reach, b = s->end_side * s->reach;
     const float2 p = s->start - beyond, q = s->end + after;
     const float2 low = fmin(fmin(p - a, p + a), fmin(q - b, q + b)) - (0.5f + SLACK);
     const float2 high = fmax(fmax(p - a, p + a), fmax(q - b, q + b)) - (0.5f - SLACK);
-    return int4(max(convert_int_rtn(low.x) - corner.x + 1, within.x),
-                max(convert_int_rtn(low.y) - corner.y + 1, within.y),
-                min(convert_int_rtn(high.x) - corner.x, within.z),
-                min(convert_int_rtn(high.y) - corner.y, within.w));
+    return float4(low.x, low.y, high.x, high.y);
+}
+
+/* The pixels of a tile from corner on that a stroke may cover: from xy to zw, inclusive. */
+static int4 box_of(const Stroke* s, const int2 corner, const int4 within) {
+    const float4 bounds = bounds_of(s);
+    return int4(max(convert_int_rtn(bounds.x) - corner.x + 1, within.x),
+                max(convert_int_rtn(bounds.y) - corner.y + 1, within.y),
+                min(convert_int_rtn(bounds.z) - corner.x, within.z),
+                min(convert_int_rtn(bounds.w) - corner.y, within.w));
 }
 
 /* Draws a stroke into a tile. `rounds`, `rest`: as in coverage_at. */
@@ -197,35 +203,62 @@ KERNEL(strokes_tiles, StrokesParameters) {
     shown[args.layer * (uint)(columns.x * columns.y) + t] = any ? 1 : 0;
 }
 
-#else
+/* What the pixels of a run's stroke need to know of it. One work-item per run. */
+KERNEL(strokes_boxes, StrokesParameters) {
+    const uint r = (uint)get_global_id(0);
+    if (r >= args.count) return;
+    StrokeBox own = {{0.0f, 0.0f}, {0.0f, 0.0f}, 0, 0.0f};
+    if (is_drawn(&args, runs + r)) {
+        const Stroke s = make_stroke(&args, runs + r, alpha, weights);
+        const float4 bounds = bounds_of(&s);
+        own.low[0] = bounds.x;
+        own.low[1] = bounds.y;
+        own.high[0] = bounds.z;
+        own.high[1] = bounds.w;
+        own.flags = LA_STROKE_DRAWN | (s.is_even ? LA_STROKE_EVEN : 0u) |
+                    (s.is_thinned ? LA_STROKE_THINNED : 0u);
+        own.opacity = s.opacity;
+    }
+    boxes[r] = own;
+}
 
-KERNEL(strokes_tiles, StrokesParameters) {
-    const uint each = LA_STROKE_TILE * LA_STROKE_TILE;
+/* As strokes_tiles. One work-item per LANES pixels of a tile's row. */
+KERNEL(strokes_pixels, StrokesParameters) {
+    const uint a_row = LA_STROKE_TILE / LANES, each = a_row * LA_STROKE_TILE;
     const uint i = (uint)get_global_id(0);
     const uint t = i / each;
     const int2 columns = to_int2(args.columns), tiles = to_int2(args.tiles);
     if (t >= (uint)(columns.x * columns.y)) return;
     const int2 place = to_int2(args.first) + int2((int)t % columns.x, (int)t / columns.x);
     const uint2 list = list_of(&args, (uint)(place.y * tiles.x + place.x), ends);
-    const int4 part = to_int4(args.part);
-    const int2 pixel = int2(place.x * LA_STROKE_TILE + (int)(i % LA_STROKE_TILE),
-                            place.y * LA_STROKE_TILE + (int)(i % each / LA_STROKE_TILE));
-    const int2 from = pixel - xy(part);
-    if (from.x < 0 || from.y < 0 || from.x >= part.z || from.y >= part.w) return;
     if (list.x == list.y && args.again != 0) return;
-    __global uchar* own = coverage + (size_t)args.layer * args.pitch + (from.y * part.z + from.x);
+    const int4 part = to_int4(args.part);
+    const int2 pixel = int2(place.x * LA_STROKE_TILE + (int)(i % a_row) * LANES,
+                            place.y * LA_STROKE_TILE + (int)(i % each / a_row));
+    const int2 from = pixel - xy(part);
+    const int first = max(-from.x, 0), end = min(part.z - from.x, LANES); /* pixels of the part */
+    if (first >= end || from.y < 0 || from.y >= part.w) return;
+    __global uchar* own = coverage + (size_t)args.layer * args.pitch + from.y * part.z;
+    float each_pixel[LANES];
     bool any = args.again != 0;
-    float covered = any ? (float)*own : 0.0f;
+    for (int k = 0; k < LANES; ++k)
+        each_pixel[k] = any && k >= first && k < end ? (float)own[from.x + k] : 0.0f;
+    lanes_float covered = LOAD_LANES(each_pixel);
+    const float first_column = (float)pixel.x, row = (float)pixel.y;
+    const lanes_float x = (TO_FLOAT((lanes_int)LANE_INDEX) + 0.5f) + first_column;
     for (uint k = list.x; k < list.y; ++k) {
-        __global const Run* run = runs + entries[k];
-        if (!is_drawn(&args, run)) continue;
+        const uint r = entries[k];
+        const StrokeBox box = boxes[r];
+        if (box.flags == 0) continue;
         any = true;
-        const Stroke s = make_stroke(&args, run, alpha, weights);
-        covered = over(covered, coverage_at(&args, &s, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f,
-                                            true, true, alpha + run->address, mark, weights));
+        if (row <= box.low[1] || row > box.high[1] || first_column > box.high[0] ||
+            first_column + (float)(LANES - 1) <= box.low[0])
+            continue;
+        const Stroke s = make_known_stroke(&args, runs + r, box);
+        covered = over(covered, coverage_at(&args, &s, x, row + 0.5f, true, true,
+                                            alpha + runs[r].address, mark, weights));
     }
-    *own = (uchar)covered;
+    STORE_LANES(covered, each_pixel);
+    for (int k = first; k < end; ++k) own[from.x + k] = (uchar)each_pixel[k];
     shown[args.layer * (uint)(columns.x * columns.y) + t] = any ? 1 : 0;
 }
-
-#endif

@@ -1,6 +1,7 @@
 // depth: n triangles of a terrain, all of it in view, at 2048x1536 texels; `gl` is the GL of this
 // machine, which draws all of them into a texture, and copies that into a buffer. Bytes: per
-// triangle three corners (36), per texel the depth (4).
+// triangle three corners (36), per texel the depth (4). depth_numbers: with the number of the
+// triangle that each texel shows, which takes as many bytes more.
 
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/headless_context.hpp"
@@ -16,11 +17,13 @@ double bytes_of(std::uint32_t n) {
     return 36.0 * n + 4.0 * static_cast<double>(texels);
 }
 
+template <bool numbered>
 Job prepare(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
     const TerrainMeshlets model{device, make_terrain_mesh(n)};
     const glm::ivec2 tile_count = compute::tiles_for(size);
     const SharedBuffer depth = device.allocate(texels * sizeof(float));
+    const SharedBuffer numbers = device.allocate(numbered ? texels * sizeof(std::uint32_t) : 4);
     const SharedBuffer tiles =
         device.allocate(static_cast<std::size_t>(tile_count.x) *
                         static_cast<std::size_t>(tile_count.y) * sizeof(float));
@@ -35,11 +38,13 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                       .covered = {{0, 0}, size},
                       .tiles = *tiles,
                       .seen = *seen,
-                      .depth = depth.get()});
+                      .depth = depth.get(),
+                      .numbers = numbered ? numbers.get() : nullptr});
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = bytes_of(n), .result = [&device, depth] {
+    const double bytes = bytes_of(n) + (numbered ? 4.0 * static_cast<double>(texels) : 0);
+    return {.run = run, .bytes = bytes, .result = [&device, depth] {
                 return read_back<float>(device, *depth, texels);
             }};
 }
@@ -77,7 +82,9 @@ Job prepare_gl(std::uint32_t n) {
 } // namespace
 
 Rows depth_rows(const Devices& devices) {
-    Rows rows = own_rows(devices, "depth", prepare);
+    Rows rows = own_rows(devices, "depth", prepare<false>);
+    for (Row& row : own_rows(devices, "depth_numbers", prepare<true>))
+        rows.push_back(std::move(row));
     rows.push_back({"depth/gl", prepare_gl});
     rows.push_back(copy_row(devices, "depth", bytes_of));
     return rows;

@@ -27,11 +27,11 @@ void add_kernels(compute::CommandLog& log, Names& names) {
     for (const compute::CommandTime& command : log.read()) names.insert(std::string{command.name});
 }
 
-Devices devices_here(bool face_lists = false) {
+Devices devices_here(bool of_gpu = false) {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
     tuning.scan_tiles = true; // C++ runs the chunks
-    tuning.face_lists = face_lists;
+    tuning.depth_each = tuning.stroke_pixels = tuning.face_lists = of_gpu;
     return make_devices(compute::make_opencl_backend(device, {}, tuning));
 }
 
@@ -52,7 +52,7 @@ TEST(Rows, EveryRowRunsAndEveryKernelIsInOne) {
     Names seen;
     const Devices devices = devices_here(), of_gpu = devices_here(true);
     run(devices, all_rows(devices), seen);
-    run(of_gpu, exact_rows(of_gpu), seen);
+    for (const auto& rows : {depth_rows, strokes_rows, exact_rows}) run(of_gpu, rows(of_gpu), seen);
     for (const compute::Kernel& kernel : compute::all_kernels()) {
         EXPECT_TRUE(seen.contains(std::string{kernel.name})) << kernel.name;
     }

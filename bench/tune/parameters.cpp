@@ -23,6 +23,8 @@ std::vector<Parameter> parameters() {
         {"atlas_block", {1, 4, 16, 64, 256, 1024}, atlas_rows, "atlas/ours", many, nullptr},
         {"depth_lanes", {1, 4, 8}, depth_rows, "depth/ours", fewer, nullptr},
         {"depth_tile", {32, 64, 128, 256}, depth_rows, "depth/ours", fewer, nullptr},
+        {"depth_each", {0, 1}, depth_rows, "depth/ours", fewer, nullptr},
+        {"stroke_pixels", {0, 1}, strokes_rows, "strokes/ours", fewer, nullptr},
         {"halo_lanes", {1, 8, 16}, halo_rows, "halo/ours", fewer, nullptr},
     };
 }

@@ -26,6 +26,8 @@ class StrokeCoverage {
     void begin_frame(Frame& frame, const RunPens& pens);
     /// Whether kernels draw the frame's strokes.
     bool draws() const { return draws_; }
+    /// Whether they do so however many runs there are.
+    bool draws_any() const { return can_draw_ && fewest_runs_ == 0; }
 
     /// Leaves few runs to GL, unless kernels were asked for. Call when the number of runs is known,
     /// and again after a table was too small.

@@ -33,6 +33,10 @@ void StrokeStage::make_table(RunTable& table) {
 
 void StrokeStage::read_totals(RunTable& table) {
     device_.download(table.record.compute(), bytes_of(table.totals));
+    use_totals(table);
+}
+
+void StrokeStage::use_totals(RunTable& table) {
     table.runs.set_size(std::size_t{table.totals.points[0]} * sizeof(Run));
 }
 
@@ -112,11 +116,17 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     if (thinning(false).on) density(frame, input, false);
     carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
-    frame.clock(stage, [&] { read_totals(visible_); });
-    // The number of runs of all chunks together is not known yet.
-    if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
+    if (coverage_.draws_any()) {
+        // The wait for what is listed is enough for both.
+        device_.begin_download(visible_.record.compute(), bytes_of(visible_.totals));
+    } else {
+        frame.clock(stage, [&] { read_totals(visible_); });
+        // Of chunks it is not known yet how many runs they have in all.
+        if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
+    }
     if (has_hidden_) list(frame, true);
     list(frame, false);
+    use_totals(visible_);
 }
 
 void StrokeStage::carry(Frame& frame, RunTable& table) {

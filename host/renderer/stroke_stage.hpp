@@ -115,6 +115,8 @@ class StrokeStage {
     void prepare(const Frame& frame);
     /// Reads how many runs of the table mean something. Waits for the device.
     void read_totals(RunTable& table);
+    /// After table.totals have come.
+    void use_totals(RunTable& table);
     void make_table(RunTable& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
     bool grow(RunTable& table);

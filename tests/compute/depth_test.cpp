@@ -38,7 +38,12 @@ class DepthStage : public StageTest {
         return DepthModel{device(), vertices, triangles, cluster_size}.draw(stages(), wanted);
     }
 };
-INSTANTIATE_TEST_SUITE_P(OnDevice, DepthStage, testing::ValuesIn(test_devices()),
+std::vector<TestDevice> devices_in_both_forms() {
+    std::vector<TestDevice> devices = test_devices();
+    devices.push_back(cpp_as_gpu());
+    return devices;
+}
+INSTANTIATE_TEST_SUITE_P(OnDevice, DepthStage, testing::ValuesIn(devices_in_both_forms()),
                          [](const auto& info) { return info.param.name; });
 
 float at(const DrawnDepth& drawn, int x, int y, glm::ivec2 size = hand_size) {
@@ -333,6 +338,74 @@ TEST_P(DepthStage, OnlyWhatWasBlankAndStaysSoIsLeftAlone) {
     for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}}) expect_tile(x, y, true, 1.0F, false);
     for (const auto& [x, y] : {std::pair{3, 1}, {4, 0}, {4, 3}, {0, 2}})
         expect_tile(x, y, true, planted, false);
+}
+
+/// What a form draws of a model.
+struct Scene {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;
+    glm::mat4 clip_from_world{1};
+};
+
+Scene strewn_scene(int count, glm::ivec2 size) {
+    Scene scene;
+    for (const glm::vec3& corner : strewn(count, size)) {
+        scene.vertices.emplace_back(glm::vec2{corner} / glm::vec2{size} * 2.0F - 1.0F,
+                                    corner.z * 2 - 1);
+        const auto last = static_cast<std::uint32_t>(scene.vertices.size());
+        if (last % 3 == 0) scene.triangles.emplace_back(last - 3, last - 2, last - 1);
+    }
+    return scene;
+}
+
+/// Sheets one upon the other, of which each has two triangles: who draws first shows everywhere.
+Scene equal_sheets() {
+    Scene scene;
+    for (std::uint32_t i = 0; i < 150; ++i) {
+        const float left = -0.9F + 0.1F * static_cast<float>(i % 7);
+        for (const glm::vec2 corner :
+             {glm::vec2{0, 0}, glm::vec2{1, 0}, glm::vec2{1, 1.2F}, glm::vec2{0, 1.2F}})
+            scene.vertices.emplace_back(corner + left, i % 5 == 0 ? -0.25F : 0.25F);
+        scene.triangles.emplace_back(4 * i, 4 * i + 1, 4 * i + 2);
+        scene.triangles.emplace_back(4 * i, 4 * i + 2, 4 * i + 3);
+    }
+    return scene;
+}
+
+/// Walls and a floor from behind the eye to beyond the far plane, cut by many triangles.
+Scene corridor() {
+    const Floor floor;
+    Scene scene{floor.vertices, floor.triangles, floor.clip_from_world};
+    for (std::uint32_t i = 0; i < 60; ++i) {
+        const float z = 4 - 2 * static_cast<float>(i), x = i % 2 == 0 ? 3.0F : -3.0F;
+        const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+        scene.vertices.insert(scene.vertices.end(),
+                              {{x, -1, z}, {x, -1, z - 3}, {0.2F * x, 2, z - 1}});
+        scene.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    return scene;
+}
+
+DrawnDepth draw_scene(DeviceStages& on, const Scene& scene, const DepthWanted& wanted) {
+    return DepthModel{*on.device, scene.vertices, scene.triangles, 64}.draw(on.stages, wanted);
+}
+
+TEST_P(DepthStage, TilesAndTrianglesByThemselvesGiveTheSameBits) {
+    if (GetParam().slow) GTEST_SKIP() << "one form is enough";
+    DeviceStages own{GetParam().make()}, other{in_other_form(GetParam())};
+    const glm::ivec2 size{610, 270};
+    for (const Scene& scene : {strewn_scene(1500, size), equal_sheets(), corridor()}) {
+        for (const TexelRectangle& part :
+             {TexelRectangle{{0, 0}, size}, TexelRectangle{{37, 101}, {593, 270}}}) {
+            const DepthWanted wanted{scene.clip_from_world, size, part, true};
+            const DrawnDepth a = draw_scene(own, scene, wanted);
+            const DrawnDepth b = draw_scene(other, scene, wanted);
+            EXPECT_TRUE(equal(a.texels, b.texels));
+            EXPECT_TRUE(equal(a.tiles, b.tiles));
+            EXPECT_EQ(a.numbers, b.numbers);
+            EXPECT_GT(std::ranges::count_if(a.texels, [](float z) { return z < 1; }), 10'000);
+        }
+    }
 }
 
 } // namespace

@@ -87,7 +87,7 @@ class ExactTest : public testing::TestWithParam<TestDevice> {
 
 std::vector<TestDevice> devices_in_both_forms() {
     std::vector<TestDevice> devices = test_devices();
-    devices.push_back(cpp_with_face_lists());
+    devices.push_back(cpp_as_gpu());
     return devices;
 }
 

@@ -41,11 +41,19 @@ std::vector<std::string_view> all_stages() {
     return {stages.begin(), stages.end()};
 }
 
+/// `of_gpu`: with the forms of a GPU that C++ has.
+compute::Tuning cpp_tuning(bool of_gpu, bool scan_tiles = false) {
+    return {.scan_tiles = scan_tiles,
+            .depth_each = of_gpu,
+            .stroke_pixels = of_gpu,
+            .face_lists = of_gpu};
+}
+
 TEST(IdleKernels, TouchNothing) {
     for (std::uint32_t probes = 1; probes <= 4; ++probes) {
         // With 1 in the forms of a CPU, with more in those of a GPU that C++ has.
         for (const compute::KernelForm& form :
-             compute::kernel_forms(all_stages(), probes, {.face_lists = probes > 1})) {
+             compute::kernel_forms(all_stages(), probes, cpp_tuning(probes > 1))) {
             SCOPED_TRACE(std::string{form.kernel->name});
             const std::vector<LonelyTable> tables(form.kernel->tables.size());
             std::vector<void*> memory;
@@ -64,7 +72,7 @@ TEST(IdleKernels, AreAllOfAStage) {
     for (const compute::Kernel& kernel : compute::all_kernels()) names.insert(kernel.name);
     for (const bool tiles : {false, true})
         for (const compute::KernelForm& form :
-             compute::kernel_forms(all_stages(), 3, {.scan_tiles = tiles, .face_lists = tiles}))
+             compute::kernel_forms(all_stages(), 3, cpp_tuning(tiles, tiles)))
             listed.insert(form.kernel->name);
     EXPECT_EQ(listed, names);
 }

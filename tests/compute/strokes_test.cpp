@@ -7,7 +7,14 @@
 namespace lineatlas::test {
 namespace {
 
-LINEATLAS_STAGE_TEST(Strokes);
+class Strokes : public StageTest {};
+std::vector<TestDevice> devices_in_both_forms() {
+    std::vector<TestDevice> devices = test_devices();
+    devices.push_back(cpp_as_gpu());
+    return devices;
+}
+INSTANTIATE_TEST_SUITE_P(OnDevice, Strokes, testing::ValuesIn(devices_in_both_forms()),
+                         [](const auto& info) { return info.param.name; });
 
 using Coverage = std::vector<std::uint8_t>;
 using Runs = std::vector<Run>;
@@ -284,6 +291,36 @@ TEST_P(Strokes, EmptyTilesAreMarkedSo) {
     EXPECT_EQ(touched(drawing.read()), 3U * 30U);
     const std::vector<la_uint> expected{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     EXPECT_EQ(drawing.shown(), expected);
+}
+
+TEST_P(Strokes, TilesAndPixelsGiveTheSameBits) {
+    DeviceStages other{in_other_form(GetParam())};
+    Runs runs;
+    for (int i = 0; i < 400; ++i) {
+        const auto k = static_cast<float>(i);
+        const glm::vec2 start{std::fmod(k * 7.3F, 200.0F), std::fmod(k * 3.7F, 150.0F)};
+        const glm::vec2 end{std::fmod(k * 5.1F, 200.0F), std::fmod(k * 9.1F, 150.0F)};
+        lineatlas::Run run = with_ends(run_between(start, end),
+                                       i % 3 == 0 ? LA_END_PATH : LA_END_HIDDEN, LA_END_CLIPPED);
+        run.flags |= static_cast<la_uint>(i % 2) << LA_RUN_PEN_SHIFT;
+        runs.push_back(run);
+    }
+    const Coverage alpha{0, 40, 255, 255, 255, 80, 255, 255};
+    const PictureTile part{{37, 50}, {91, 83}};
+    for (const How& how :
+         {How{}, How{.width = 7, .opacity = 0.3F, .pen = 1},
+          How{.end_kinds = LA_STROKES_EXACT_ENDS, .hidden = true, .part = part},
+          How{.width = 0.7F, .mark = {1, 0, 0, 1, 1, 0}, .repeat_length = 8, .part = part}}) {
+        Drawing own{stages(), how}, of_other{other.stages, how};
+        for (Drawing* drawing : {&own, &of_other}) {
+            drawing->draw({runs.begin(), runs.begin() + 250});
+            drawing->draw({runs.begin() + 250, runs.end()}, alpha);
+        }
+        const Coverage drawn = own.read();
+        EXPECT_GT(touched(drawn), 1000U);
+        EXPECT_EQ(drawn, of_other.read());
+        EXPECT_EQ(own.shown(), of_other.shown());
+    }
 }
 
 } // namespace

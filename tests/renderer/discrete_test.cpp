@@ -71,6 +71,7 @@ TEST_F(Discrete, AFrameByKernelsHandsOverItsPictureAlone) {
     const BusCounts counts = draw(options).counts;
     EXPECT_GT(counts.launches, 10U);
     EXPECT_LE(counts.launches, 60U);
+    EXPECT_LE(counts.waits, 4U) << "for silhouettes, for runs and their tiles, for strokes";
     EXPECT_GT(counts.bytes, 100'000U) << "strokes cross";
     EXPECT_LE(counts.bytes, 1U << 20U);
 }

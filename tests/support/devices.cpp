@@ -55,9 +55,23 @@ std::vector<TestDevice> test_devices() {
     return result;
 }
 
-TestDevice cpp_with_face_lists() {
-    return {"cpp_face_lists",
-            [](std::size_t) { return compute::make_cpp_device({.face_lists = true}); }, 0};
+TestDevice cpp_as_gpu() {
+    return {"cpp_as_gpu",
+            [](std::size_t) {
+                return compute::make_cpp_device({.depth_each = true,
+                                                 .long_atomics = true,
+                                                 .stroke_pixels = true,
+                                                 .face_lists = true});
+            },
+            0};
+}
+
+std::unique_ptr<compute::Device> in_other_form(const TestDevice& device) {
+    compute::Tuning tuning = device.make()->tuning();
+    tuning.depth_each = !tuning.depth_each;
+    tuning.stroke_pixels = !tuning.stroke_pixels;
+    if (device.name.starts_with("cpp")) return compute::make_cpp_device(tuning);
+    return compute::make_opencl_backend(compute::list_opencl_devices()[device.index], {}, tuning);
 }
 
 std::vector<TestDevice> own_opencl_devices() {

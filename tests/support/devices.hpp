@@ -33,8 +33,11 @@ struct TestDevice {
 /// `Devices.OpenClIsThere` fails, so that nobody takes `cpp` alone for all.
 std::vector<TestDevice> test_devices();
 
-/// `cpp` with the lists of faces of a GPU.
-TestDevice cpp_with_face_lists();
+/// `cpp` with the forms of a GPU that it has.
+TestDevice cpp_as_gpu();
+
+/// The device with triangles and strokes drawn in the other form: those of a GPU, or of a CPU.
+std::unique_ptr<compute::Device> in_other_form(const TestDevice& device);
 
 /// Of these each OpenCL device once, in its own tuning; `index`: in list_opencl_devices().
 std::vector<TestDevice> own_opencl_devices();

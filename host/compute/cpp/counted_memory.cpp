@@ -73,6 +73,28 @@ void note_written(const void* address, std::size_t size) {
     touch(address, size, &Touched::written);
 }
 
+// One thread runs the kernels: nothing needs to be atomic.
+template <class T>
+T counted_load(const volatile T* at) {
+    note_read(const_cast<const T*>(at), sizeof *at);
+    return *at;
+}
+/// What was there; it becomes `value` if it was `expected`.
+template <class T>
+T counted_exchange(volatile T* at, T expected, T value) {
+    const T old = counted_load(at);
+    if (old != expected) return old;
+    note_written(const_cast<T*>(at), sizeof *at);
+    *at = value;
+    return old;
+}
+/// 1 if it was done, else 0 and `expected` is what was there.
+template <class T>
+int is_exchanged(volatile T* at, T* expected, T value) {
+    const T old = counted_exchange(at, *expected, value);
+    return std::exchange(*expected, old) == old ? 1 : 0;
+}
+
 } // namespace
 } // namespace lineatlas::compute
 
@@ -127,36 +149,44 @@ void* __tsan_memset(void* to, int value, std::size_t size) {
 void __tsan_init() {}
 void __tsan_func_entry(void*) {}
 void __tsan_func_exit() {}
-// These need not be atomic, because one thread runs the kernels.
 std::uint32_t __tsan_atomic32_load(const volatile std::uint32_t* at, int) {
-    lineatlas::compute::note_read(const_cast<const std::uint32_t*>(at), sizeof *at);
-    return *at;
+    return lineatlas::compute::counted_load(at);
 }
 std::uint32_t __tsan_atomic32_fetch_add(volatile std::uint32_t* at, std::uint32_t value, int) {
-    const std::uint32_t old = __tsan_atomic32_load(at, 0);
+    const std::uint32_t old = lineatlas::compute::counted_load(at);
     lineatlas::compute::note_written(const_cast<std::uint32_t*>(at), sizeof *at);
     *at = old + value;
     return old;
 }
-// Clang calls this one, g++ the two below.
+// Of each size, clang has the first of these three, g++ the others.
 std::uint32_t __tsan_atomic32_compare_exchange_val(volatile std::uint32_t* at,
                                                    std::uint32_t expected, std::uint32_t value, int,
                                                    int) {
-    const std::uint32_t old = __tsan_atomic32_load(at, 0);
-    if (old != expected) return old;
-    lineatlas::compute::note_written(const_cast<std::uint32_t*>(at), sizeof *at);
-    *at = value;
-    return old;
+    return lineatlas::compute::counted_exchange(at, expected, value);
 }
 int __tsan_atomic32_compare_exchange_strong(volatile std::uint32_t* at, std::uint32_t* expected,
-                                            std::uint32_t value, int success, int failure) {
-    const std::uint32_t old =
-        __tsan_atomic32_compare_exchange_val(at, *expected, value, success, failure);
-    return std::exchange(*expected, old) == old ? 1 : 0;
+                                            std::uint32_t value, int, int) {
+    return lineatlas::compute::is_exchanged(at, expected, value);
 }
 int __tsan_atomic32_compare_exchange_weak(volatile std::uint32_t* at, std::uint32_t* expected,
-                                          std::uint32_t value, int success, int failure) {
-    return __tsan_atomic32_compare_exchange_strong(at, expected, value, success, failure);
+                                          std::uint32_t value, int, int) {
+    return lineatlas::compute::is_exchanged(at, expected, value);
+}
+std::uint64_t __tsan_atomic64_load(const volatile std::uint64_t* at, int) {
+    return lineatlas::compute::counted_load(at);
+}
+std::uint64_t __tsan_atomic64_compare_exchange_val(volatile std::uint64_t* at,
+                                                   std::uint64_t expected, std::uint64_t value, int,
+                                                   int) {
+    return lineatlas::compute::counted_exchange(at, expected, value);
+}
+int __tsan_atomic64_compare_exchange_strong(volatile std::uint64_t* at, std::uint64_t* expected,
+                                            std::uint64_t value, int, int) {
+    return lineatlas::compute::is_exchanged(at, expected, value);
+}
+int __tsan_atomic64_compare_exchange_weak(volatile std::uint64_t* at, std::uint64_t* expected,
+                                          std::uint64_t value, int, int) {
+    return lineatlas::compute::is_exchanged(at, expected, value);
 }
 
 } // extern "C"

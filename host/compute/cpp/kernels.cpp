@@ -57,6 +57,7 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 #define DEPTH_LANES 4
 #endif
 #define DEPTH_TILE 240 // as Tuning::depth_tile
+#define LONG_ATOMICS 1
 
 // Each file of kernels is in a namespace of its own. CMake lists the files with one form.
 #include "kernel_files.hpp"

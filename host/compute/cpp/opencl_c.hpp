@@ -317,6 +317,20 @@ inline uint atomic_max(uint* to, uint v) {
     }
     return old;
 }
+inline uint atomic_min(uint* to, uint v) {
+    uint old = __atomic_load_n(to, __ATOMIC_RELAXED);
+    while (old > v &&
+           !__atomic_compare_exchange_n(to, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+    return old;
+}
+inline ulong atom_min(ulong* to, ulong v) {
+    ulong old = __atomic_load_n(to, __ATOMIC_RELAXED);
+    while (old > v &&
+           !__atomic_compare_exchange_n(to, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+    return old;
+}
 inline uint atomic_inc(uint* to) {
     return atomic_add(to, 1);
 }

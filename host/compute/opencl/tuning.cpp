@@ -35,7 +35,9 @@ TuningTable user_table() {
 } // namespace
 
 Tuning tuning_for(const OpenClDevice& device) {
-    return within_quirks(user_table().values_for(device), device);
+    Tuning tuning = user_table().values_for(device);
+    tuning.long_atomics = device.has_extension("cl_khr_int64_extended_atomics");
+    return within_quirks(tuning, device);
 }
 
 GroupLimits group_limits(const cl::Device& device) {
@@ -67,6 +69,7 @@ std::string compiler_options(const Tuning& tuning) {
     };
     return define("SCAN_TILE", tuning.scan_tile) + define("SCAN_PER_ITEM", tuning.scan_per_item) +
            define("DEPTH_LANES", tuning.depth_lanes) + define("DEPTH_TILE", tuning.depth_tile) +
+           define("LONG_ATOMICS", tuning.long_atomics ? 1 : 0) +
            define("HALO_LANES", tuning.halo_lanes) + define("FACE_LANES", tuning.face_lanes) +
            define("PROBE_VECTORS", tuning.atlas_vectors ? 1 : 0);
 }

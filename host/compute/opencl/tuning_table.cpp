@@ -52,6 +52,8 @@ std::span<const TuningField> tuning_fields() {
         {"depth_tile", &Tuning::depth_tile, {16, 32, 64, 128, 240, 256}},
         {"depth_workers", &Tuning::depth_workers, {}, largest_block},
         {"depth_clusters", &Tuning::depth_clusters, {}, ~0U},
+        {"depth_each", &Tuning::depth_each},
+        {"stroke_pixels", &Tuning::stroke_pixels},
         {"halo_lanes", &Tuning::halo_lanes, {1, 8, 16}},
         {"face_lanes", &Tuning::face_lanes, {1, 4, 8, 16}},
         {"face_chunks", &Tuning::face_chunks, {}, 4096},

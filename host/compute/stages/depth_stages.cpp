@@ -24,6 +24,20 @@ struct Places {
 struct Seen {
     Buffer& seen;
 };
+/// Texels while triangles draw themselves, and the triangles that many work-items share.
+struct EachTables {
+    Buffer& places;
+    Buffer& positions;
+    Buffer& order;
+    Buffer& texels;
+    Buffer& large_count;
+    Buffer& large_list;
+    // What is stored:
+    Buffer& depth;
+    Buffer& numbers;
+    Buffer& pyramid;
+    Buffer& blank;
+};
 
 } // namespace
 
@@ -39,7 +53,8 @@ void Stages::depth(const DepthArgs& args) {
     const MeshletTables& model = args.model;
     // One work-item sorts all of them.
     constexpr std::uint32_t rounds_each = 4, rounds_besides = 4 * LA_DEPTH_KEYS;
-    if (model.count > (tuning_.longest_chunk - rounds_besides) / rounds_each) {
+    if (!tuning_.depth_each &&
+        model.count > (tuning_.longest_chunk - rounds_besides) / rounds_each) {
         throw DeviceError("depth: kernels of " + device_.description() + " can't sort a model of " +
                           std::to_string(model.count) +
                           " clusters of triangles; use StageForms::depth raster");
@@ -60,7 +75,11 @@ void Stages::depth(const DepthArgs& args) {
                                .stride = stride,
                                .begin = 0,
                                .end = 0,
-                               .keeps_depth = 0};
+                               .keeps_depth = 0,
+                               .chunk = 0,
+                               .chunks = 0,
+                               .numbered = 0,
+                               .finds = LA_FINDS_DEPTHS};
     Buffer& places =
         scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
     Buffer& boxes = scratch(Scratch::depth_boxes, std::size_t{4} * stride);
@@ -70,6 +89,7 @@ void Stages::depth(const DepthArgs& args) {
     Buffer& next = scratch(Scratch::depth_next, 1);
     launch<kernels::depth_bin>(model.count, parameters, model, args, Places{places});
     if (tiles.x <= 0 || tiles.y <= 0) return;
+    if (tuning_.depth_each) return depth_each(args, parameters, places);
     launch_grouped<kernels::depth_order>(
         1, 1, parameters,
         {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
@@ -110,6 +130,62 @@ void Stages::depth(const DepthArgs& args) {
                                               .seen = args.seen},
                                              kernel);
     } while (parameters.end < model.count);
+}
+
+void Stages::order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
+                            Buffer& positions) {
+    constexpr std::uint32_t fewest_each = 64, most_chunks = 256;
+    parameters.chunk = std::max(divide_up(parameters.count, most_chunks), fewest_each);
+    parameters.chunks = divide_up(parameters.count, parameters.chunk);
+    const std::uint32_t count = LA_DEPTH_KEYS * parameters.chunks;
+    Buffer& counts = scratch(Scratch::depth_counts, std::size_t{count} + 1);
+    device_.clear(counts, std::size_t{count} * sizeof(la_uint));
+    launch<kernels::depth_keys>(parameters.chunks, parameters,
+                                {.places = places, .counts = counts});
+    scan(counts, count, ScanKind::saturate);
+    launch<kernels::depth_positions>(
+        parameters.chunks, parameters,
+        {.places = places, .counts = counts, .positions = positions, .order = order});
+}
+
+void Stages::depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places) {
+    const MeshletTables& model = args.model;
+    const bool numbered = args.numbers != nullptr;
+    const auto texels = static_cast<std::uint32_t>(args.size.x * args.size.y);
+    const std::uint32_t triangles = model.count * LA_MESHLET_TRIANGLES;
+    Buffer& unasked = scratch(Scratch::depth_unasked, 1);
+    const EachTables tables{
+        .places = places,
+        .positions = scratch(Scratch::depth_positions, numbered ? model.count : 1),
+        .order = scratch(Scratch::depth_order, numbered ? model.count : 1),
+        .texels = scratch(Scratch::depth_texels, std::size_t{2} * texels),
+        .large_count = scratch(Scratch::depth_large_count, 1),
+        .large_list = scratch(Scratch::depth_large, triangles),
+        .depth = args.depth != nullptr ? *args.depth : unasked,
+        .numbers = numbered ? *args.numbers : scratch(Scratch::depth_no_numbers, 1),
+        .pyramid = args.tiles,
+        .blank = blank_tiles(args)};
+    parameters.keeps_depth = args.depth != nullptr ? 1 : 0;
+    parameters.numbered = numbered ? 1 : 0;
+    launch<kernels::depth_begin>(texels, parameters, tables);
+    if (numbered) order_clusters(parameters, places, tables.order, tables.positions);
+    device_.clear(tables.large_count, sizeof(la_uint));
+    const std::uint32_t sharers =
+        std::min(tuning_.depth_workers, std::max(triangles, 1U)) * LA_DEPTH_SHARE;
+    const auto find = [&](la_uint finds) {
+        parameters.finds = finds;
+        launch<kernels::depth_small>(triangles, parameters, tables, model, args);
+        launch<kernels::depth_large>(sharers, parameters, tables, model, args);
+        launch<kernels::depth_pairs>(sharers, parameters, tables, model, args);
+    };
+    find(numbered && tuning_.long_atomics ? LA_FINDS_BOTH : LA_FINDS_DEPTHS);
+    if (numbered && !tuning_.long_atomics) find(LA_FINDS_RANKS);
+    const auto blocks = static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y) *
+                        divide_up(tuning_.depth_tile, LA_TILE) *
+                        divide_up(tuning_.depth_tile, LA_TILE);
+    launch<kernels::depth_end>(blocks, parameters, tables, model, args);
+    // Numbers say of each texel which cluster is seen there.
+    if (!numbered) launch<kernels::depth_seen>(model.count, parameters, tables, args);
 }
 
 void Stages::planes(const PlanesArgs& args) {

@@ -16,7 +16,7 @@ constexpr std::string_view in_blocks[] = {
     "strokes_count", "strokes_list"};
 /// Kernels in work-groups of one.
 constexpr std::string_view alone[] = {"scan_chunks_reduce", "scan_chunks_apply", "depth_order",
-                                      "depth_tiles"};
+                                      "depth_tiles", "strokes_tiles"};
 
 bool is_among(std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::find(names, name) != names.end();
@@ -24,8 +24,7 @@ bool is_among(std::span<const std::string_view> names, std::string_view name) {
 
 KernelForm form_of(const Kernel& kernel, const Tuning& tuning) {
     if (is_among(in_blocks, kernel.name)) return {&kernel, tuning.block_local_size, false};
-    const bool is_tile = kernel.name == "strokes_tiles" && tuning.depth_lanes > 1;
-    if (is_tile || is_among(alone, kernel.name)) return {&kernel, 1, false};
+    if (is_among(alone, kernel.name)) return {&kernel, 1, false};
     if (kernel.has_barriers) return {&kernel, tuning.scan_tile, false};
     return {&kernel, tuning.local_size, true};
 }
@@ -42,7 +41,15 @@ bool is_launched(const Kernel& kernel, std::uint32_t probes, const Tuning& tunin
         "visible_parts",    "visible_join",      "visible_spans"};
     if (is_among(without_face_lists, kernel.name)) return !tuning.face_lists;
     if (is_among(with_face_lists, kernel.name)) return tuning.face_lists;
-    if (kernel.name == "depth_tiles") return kernel.defines == "-DNUMBERED";
+    constexpr std::string_view each[] = {"depth_begin", "depth_keys",  "depth_positions",
+                                         "depth_small", "depth_large", "depth_pairs",
+                                         "depth_end",   "depth_seen"};
+    if (is_among(each, kernel.name)) return tuning.depth_each;
+    if (kernel.name == "depth_order") return !tuning.depth_each;
+    if (kernel.name == "depth_tiles") return !tuning.depth_each && kernel.defines == "-DNUMBERED";
+    if (kernel.name == "strokes_tiles") return !tuning.stroke_pixels;
+    if (kernel.name == "strokes_boxes" || kernel.name == "strokes_pixels")
+        return tuning.stroke_pixels;
     if (kernel.name == "atlas")
         return kernel.defines == "-DPROBES_PER_AXIS=" + std::to_string(probes);
     return true;

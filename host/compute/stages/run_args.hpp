@@ -146,9 +146,9 @@ struct StrokeListArgs {
 /// One pen's strokes.
 struct StrokeArgs {
     Buffer& runs;
-    std::uint32_t run_count; ///< at most
-    StrokeLists lists;       ///< of these runs
-    Buffer& alpha;           ///< as in SegmentAtlas
+    std::uint32_t run_count;
+    StrokeLists lists; ///< of these runs
+    Buffer& alpha;     ///< as in SegmentAtlas
     glm::vec2 viewport;
     PictureTile part; ///< of the picture, what is drawn
     float half_width; ///< pixels

@@ -136,7 +136,12 @@ class Stages {
 
     /// The blank tiles of `args`, or a table in which nothing is known to be blank.
     Buffer& blank_tiles(const DepthArgs& args);
-    /// Counts of the parts that parameters.wanted asks for, per block of segments, scanned.
+    /// Where Tuning::depth_each, what depth_order and depth_tiles do.
+    void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
+    /// The order of the clusters, and where each stands in it.
+    void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
+                        Buffer& positions);
+    /// Of what `wanted` asks for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
     /// Tables that stages keep from call to call only for their memory.
@@ -154,10 +159,17 @@ class Stages {
         depth_unasked,
         depth_no_numbers,
         depth_blank,
+        // Where Tuning::depth_each:
+        depth_counts,
+        depth_positions,
+        depth_texels,
+        depth_large_count,
+        depth_large,
         density_rows,
         density_drawn,
         density_excesses,
         corner_facing,
+        stroke_boxes, // where Tuning::stroke_pixels
         // Of the method exact where Tuning::face_lists:
         list_ranges,
         list_keys,

@@ -5,6 +5,16 @@
 #include "stages.hpp"
 
 namespace lineatlas::compute {
+namespace {
+
+/// What strokes are drawn by, beside their arguments.
+struct StrokePlaces {
+    Buffer& boxes;
+    Buffer& mark;
+    Buffer& weights;
+};
+
+} // namespace
 
 std::uint32_t stroke_chunks(const Tuning& tuning, glm::vec2 viewport) {
     // A poster has so many tiles that they alone keep a device busy.
@@ -37,11 +47,8 @@ void Stages::list_strokes(const StrokeListArgs& args) {
 void Stages::draw_strokes(const StrokeArgs& args) {
     const TileRange tiles = part_tiles(args.part);
     const auto tile_count = static_cast<std::uint32_t>(tiles.count.x * tiles.count.y);
-    const bool by_pixels = tuning_.depth_lanes == 1;
-    const std::uint32_t items =
-        by_pixels ? tile_count * LA_STROKE_TILE * LA_STROKE_TILE : tile_count;
-    const std::uint32_t group = by_pixels ? tuning_.local_size : 1;
-    StrokesParameters parameters{.tiles = stroke_tiles(args.viewport),
+    StrokesParameters parameters{.count = args.run_count,
+                                 .tiles = stroke_tiles(args.viewport),
                                  .chunks = stroke_chunks(tuning_, args.viewport),
                                  .capacity = args.lists.capacity,
                                  .first = tiles.first,
@@ -63,20 +70,30 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     Buffer& unread = args.lists.ends; // any
-    // No list has more runs than there are, and no loop is longer than the device allows.
+    Buffer& weights = args.weights != nullptr ? *args.weights : unread;
+    Buffer& mark = args.mark != nullptr ? *args.mark : unread;
+    Buffer& boxes = scratch(Scratch::stroke_boxes, tuning_.stroke_pixels
+                                                       ? std::size_t{args.run_count} *
+                                                             (sizeof(StrokeBox) / sizeof(la_uint))
+                                                       : 1);
+    if (tuning_.stroke_pixels) {
+        launch<kernels::strokes_boxes>(
+            args.run_count, parameters,
+            {.runs = args.runs, .alpha = args.alpha, .weights = weights, .boxes = boxes});
+    }
+    // No list is longer than all runs are; no loop than the device allows.
     do {
         parameters.begin = parameters.end;
         parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);
-        launch_grouped<kernels::strokes_tiles>(
-            items, group, parameters,
-            {.runs = args.runs,
-             .ends = args.lists.ends,
-             .entries = args.lists.entries,
-             .alpha = args.alpha,
-             .mark = args.mark != nullptr ? *args.mark : unread,
-             .weights = args.weights != nullptr ? *args.weights : unread,
-             .coverage = args.coverage,
-             .shown = args.shown});
+        const StrokePlaces places{.boxes = boxes, .mark = mark, .weights = weights};
+        if (tuning_.stroke_pixels) {
+            const std::uint32_t pixels = LA_STROKE_TILE * LA_STROKE_TILE / tuning_.depth_lanes;
+            launch<kernels::strokes_pixels>(tile_count * pixels, parameters, places, args,
+                                            args.lists);
+        } else {
+            launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, places, args,
+                                                   args.lists);
+        }
         parameters.again = 1;
     } while (parameters.end < args.run_count);
 }

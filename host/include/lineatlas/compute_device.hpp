@@ -121,6 +121,9 @@ struct Tuning {
     std::uint32_t depth_tile = 240;     ///< texels a side that a work-item draws; run_on_host: 240
     std::uint32_t depth_workers = 64;   ///< work-items that take such tiles, one after the other
     std::uint32_t depth_clusters = ~0U; ///< clusters of triangles that one launch draws
+    bool depth_each = false;            ///< each triangle draws itself, not tiles all of them
+    bool long_atomics = false;          ///< by minima of 64 bits; not in the table: a device's
+    bool stroke_pixels = false;         ///< pixels draw all strokes over them, not tiles
     std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
     std::uint32_t face_lanes = 16;      ///< faces tested at a time: 1, 4, 8 or 16
     std::uint32_t face_chunks = 64;     ///< chunks of faces that go into tiles at the same time
