@@ -112,5 +112,5 @@ install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tool)
 install(FILES packaging/lineatlas.bash RENAME lineatlas COMPONENT tool
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 # For LINEATLAS_KERNEL_DIR, to copy and edit.
-install(FILES ${kernel_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/lineatlas/kernels COMPONENT tool)
+install(DIRECTORY kernels DESTINATION ${CMAKE_INSTALL_DATADIR}/lineatlas COMPONENT tool)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

@@ -10,7 +10,7 @@
 
 namespace lineatlas::gl {
 
-/// The surfaces in a depth texture, for probes that know surfaces (kernels/spine.h).
+/// The surfaces in a depth texture, for probes that know surfaces (kernels/shared/spine.h).
 struct SurfaceTextures {
     GLuint numbers = 0; ///< numbers of the triangles that texels show; 0: only depth is known
     GLuint planes = 0;  ///< a texture over a buffer of 4 floats per triangle

@@ -20,7 +20,7 @@
 #define LANES_IN_USE 9
 #endif
 
-#include "probe.h"
+#include "shared/probe.h"
 
 /* The last segment that starts at or before sample s; it has samples. */
 static uint segment_of_sample(__global const uint* offsets, const uint count, const uint s) {

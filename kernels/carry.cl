@@ -16,7 +16,7 @@
  * along a piece. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* A joint is smoothed with so many segments on either side, no farther away than this. */
 #define SMOOTHED_SEGMENTS 16u

@@ -10,8 +10,8 @@
  * frame before is known, its silhouettes come first in the order and keep their direction. Then a
  * chain keeps its name as long as any of its edges is a silhouette. */
 
-#include "clipping.h"
 #include "kernels.h"
+#include "shared/clipping.h"
 
 /* Silhouettes that are paired at a vertex. If more meet there, the others end there. */
 #define MOST_MEETING 8

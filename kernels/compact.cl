@@ -5,7 +5,7 @@
  * write from the block's offset. One work-item per block of neighbouring segments. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* True if a sample belongs in a run: of visible samples if hidden is 0, else of hidden samples. */
 static bool wanted(const uchar alpha, const uint hidden) {

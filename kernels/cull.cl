@@ -5,7 +5,7 @@
  * because all of its box lies behind the depth that was drawn before (Greene et al. 1993). */
 
 #include "kernels.h"
-#include "screen_box.h"
+#include "shared/screen_box.h"
 
 /* visible[i]: 1 if cluster i may be seen, else 0. */
 KERNEL(cull, CullParameters) {

@@ -18,7 +18,7 @@
 
 #define LANES DEPTH_LANES
 #include "depth_triangle.h"
-#include "screen_box.h"
+#include "shared/screen_box.h"
 
 /* Whether the cluster can be seen, and where. */
 KERNEL(depth_bin, DepthParameters) {

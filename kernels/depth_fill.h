@@ -1,6 +1,6 @@
 /* One triangle into a tile. Included once, by depth_triangle.h. */
 #include "depth_tile.h"
-#include "float_pair.h"
+#include "shared/float_pair.h"
 
 /* Corners are rounded to this grid, as llvmpipe and most GPUs do: units per texel. */
 #define GRID_BITS 8

@@ -2,7 +2,7 @@
 #ifndef LINEATLAS_DEPTH_TABLES_H
 #define LINEATLAS_DEPTH_TABLES_H
 
-#include "meshlet_table.h"
+#include "shared/meshlet_table.h"
 
 /* Where a cluster lies in the depth buffer. */
 typedef struct ClusterPlace {

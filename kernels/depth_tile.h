@@ -1,7 +1,7 @@
 /* A tile of the depth buffer while it is drawn, and what of it hides what comes later. Included
  * once, by depth_triangle.h. */
 #include "kernels.h"
-#include "lanes.h"
+#include "shared/lanes.h"
 
 /* Blocks of LA_TILE texels a side, per axis of a tile. */
 #define TILE_BLOCKS (DEPTH_TILE / LA_TILE)

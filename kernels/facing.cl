@@ -3,8 +3,8 @@
  * One work-item per triangle. The facing is computed once per triangle and not once per edge, so
  * that the edges of a triangle agree and silhouettes of a closed mesh close (§3.1, §4.1). */
 
-#include "clipping.h"
 #include "kernels.h"
+#include "shared/clipping.h"
 
 /* front[i]: 1 if triangle i is counter-clockwise as seen from the eye, else 0. */
 KERNEL(facing, FacingParameters) {

@@ -11,8 +11,8 @@
 
 #define LANES DEPTH_LANES
 #include "kernels.h"
-#include "lanes.h"
-#include "meshlet_faces.h"
+#include "shared/lanes.h"
+#include "shared/meshlet_faces.h"
 
 /* Light adds up linearly, colours are coded for the screen: x to the power of 1 / 2.2, 0 and 1 as
  * they are, between them off by at most 2e-4. Of x^(1/4) that is nearly a parabola. */

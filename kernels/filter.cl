@@ -8,7 +8,7 @@
  * set the visibility of their samples. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* Anything shorter than this, in pixels, is rounding of arc lengths. */
 #define SHORTEST 0.01f

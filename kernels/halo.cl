@@ -10,7 +10,7 @@
  * HALO_LANES: how many lines of a list are tested at once, 1 on GPUs. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* Pixels to spare when tiles are found, more than rounding can take away. */
 #define SLACK 0.125f
@@ -19,7 +19,7 @@
 #define DEPTH_SLACK 2e-6f
 
 #define LANES HALO_LANES
-#include "lanes.h"
+#include "shared/lanes.h"
 
 /* The lists of tiles, a table per number: the ends of a run, lengthened, their depths, and the
  * run's index. Each table has room for HALO_LANES more, because rows are read beyond a list's end.

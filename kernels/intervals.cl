@@ -18,8 +18,8 @@
 #endif
 
 #include "kernels.h"
-#include "probe.h"
-#include "run.h"
+#include "shared/probe.h"
+#include "shared/run.h"
 
 /* The atlas, and which intervals are wanted: bit 0 visible ones, bit 1 hidden ones. */
 typedef struct Atlas {

@@ -8,9 +8,9 @@
 #ifndef LINEATLAS_KERNELS_H
 #define LINEATLAS_KERNELS_H
 
-#include "constants.h"
-#include "language.h"
 #include "segment_table.h"
+#include "shared/constants.h"
+#include "shared/language.h"
 #include "style_numbers.h"
 
 /* Lists stay lists: */

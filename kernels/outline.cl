@@ -15,9 +15,9 @@
  * than LA_OUTLINE_CORNER times the wanted depth. So the outline of a wedge of 20 degrees is whole.
  */
 
-#include "atlas_samples.h"
-#include "exact.h"
 #include "kernels.h"
+#include "shared/atlas_samples.h"
+#include "shared/exact.h"
 
 /* Behind everything that is seen, with a nearness of 0: w, or z of a parallel view. */
 #define FAR_W 1e18f

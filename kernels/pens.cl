@@ -5,7 +5,7 @@
  * the runs. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* In pixels. Parts of outline with less than this between them are one part. Parts shorter than
  * this do not count, unless they are whole segments: within half a pixel of a corner the place

@@ -7,8 +7,8 @@
 
 #define LANES DEPTH_LANES
 #include "kernels.h"
-#include "lanes.h"
-#include "meshlet_faces.h"
+#include "shared/lanes.h"
+#include "shared/meshlet_faces.h"
 
 /* Planes flatter to the eye than this (sine) are seen from the edge: they hide nothing. */
 #define SEEN_FROM_THE_EDGE 1e-6f

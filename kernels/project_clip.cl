@@ -7,10 +7,10 @@
 
 #include "kernels.h"
 
-#include "batches.h"
-#include "clipping.h"
-#include "screen_box.h"
-#include "silhouette.h"
+#include "shared/batches.h"
+#include "shared/clipping.h"
+#include "shared/screen_box.h"
+#include "shared/silhouette.h"
 
 static bool is_other_batch(const uint i, const uint other) {
     return i / LA_BATCH != other / LA_BATCH;

@@ -6,7 +6,7 @@
 
 #define LANES LA_TILE
 #include "kernels.h"
-#include "lanes.h"
+#include "shared/lanes.h"
 
 /* tiles: ceil(width / LA_TILE) per row, rows from the lower left like depth. */
 KERNEL(pyramid, PyramidParameters) {

@@ -3,7 +3,7 @@
  * One work-item per candidate that may be a silhouette, except contours, which `contour` numbers.
  */
 
-#include "silhouette.h"
+#include "shared/silhouette.h"
 
 /* numbers[i]: 1 if candidate i is a silhouette, else 0. The scan turns them into numbers of the
  * silhouettes. */

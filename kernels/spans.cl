@@ -7,7 +7,7 @@
  * write. One work-item per block. */
 
 #include "kernels.h"
-#include "run.h"
+#include "shared/run.h"
 
 /* The visible parts of all segments. */
 typedef struct Spans {

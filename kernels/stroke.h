@@ -1,7 +1,7 @@
 /* A run as `strokes` draws it, and how much of a pixel its mark covers: shaders/strokes.frag says
  * the same for GL. Included once, by strokes.cl, with LANES pixels of a row at once. */
 #include "kernels.h"
-#include "lanes.h"
+#include "shared/lanes.h"
 
 #define FAR_AWAY 1e9f
 

@@ -7,8 +7,8 @@
  * the kernels run in the order boxes, vertices, occluders, batches, faces, and a batch that is
  * hidden has no faces. Without batches surfaces_faces finds the occluders, too. */
 
-#include "batches.h"
-#include "exact.h"
+#include "shared/batches.h"
+#include "shared/exact.h"
 
 /* screen: four numbers per vertex: window position in pixels, nearness, and 1. For a vertex before
  * the near plane the last number is -1, and the others mean nothing. */

@@ -7,8 +7,8 @@
  *
  * One work-item per block of `block` neighbouring segments. */
 
-#include "atlas_samples.h"
 #include "kernels.h"
+#include "shared/atlas_samples.h"
 
 static uchar average(const uchar now, const float past, const uint history) {
     /* Otherwise an object that came before the line would leave a ghost of the line. */

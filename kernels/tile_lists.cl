@@ -11,7 +11,7 @@
  * work-item per entry (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort,
  * tile_lists_write), per group (tile_lists_boxes) and per tile (tile_lists_behind). */
 
-#include "exact.h"
+#include "shared/exact.h"
 
 /* Keys by which a list is sorted: buckets of depth, and cells of the tile within each. */
 #define DEPTH_BUCKETS 16

@@ -13,9 +13,9 @@
  * FACE_LANES: how many faces are tested at once, 1 on GPUs. */
 
 #define LANES FACE_LANES
-#include "exact.h"
-#include "float_pair.h"
-#include "lanes.h"
+#include "shared/exact.h"
+#include "shared/float_pair.h"
+#include "shared/lanes.h"
 #include "visible_parts.h"
 
 /* A piece whose ends are both nearer than this to a side's line, in pixels, is compared with it in

@@ -3,7 +3,7 @@
 #ifndef LINEATLAS_VISIBLE_PARTS_H
 #define LINEATLAS_VISIBLE_PARTS_H
 
-#include "language.h"
+#include "shared/language.h"
 
 /* Parts of a piece that are held at once. A piece with more parts is cut several times: first for
  * its first parts, then for those beyond them. */

@@ -1,4 +1,4 @@
-// The GLSL side of kernels/language.h: what shaders need to read headers that they share with kernels.
+// The GLSL side of kernels/shared/language.h: what shaders need to read headers that they share with kernels.
 
 #define FUNCTION
 #define LA_TYPEDEF(name)
@@ -27,7 +27,7 @@ vec2 fmin(vec2 a, vec2 b) { return vec2(fmin(a.x, b.x), fmin(a.y, b.y)); }
 vec2 fmax(vec2 a, vec2 b) { return vec2(fmax(a.x, b.x), fmax(a.y, b.y)); }
 ivec2 convert_int2(vec2 v) { return ivec2(v); }
 
-// One lane (kernels/lanes.h).
+// One lane (kernels/shared/lanes.h).
 #define lanes_float float
 #define lanes_int int
 #define lanes_mask bool

@@ -2,7 +2,7 @@
 
 uniform vec4 color;        // RGB and opacity
 
-#include "constants.h"
+#include "shared/constants.h"
 
 // A third of the probes is enough for a full stroke. On a smooth silhouette the surface covers half of
 // each pixel, so no more than half of the probes can see the line.

@@ -1,4 +1,4 @@
-// Visibility of one sample of a segment by probes of the depth texture (§3.2, §4.3): kernels/spine.h.
+// Visibility of one sample of a segment by probes of the depth texture (§3.2, §4.3): kernels/shared/spine.h.
 
 uniform sampler2D depth;
 uniform vec2 viewport;         // pixels
@@ -12,7 +12,7 @@ uniform usampler2D numbers;    // of the triangle that each texel shows
 uniform samplerBuffer planes;  // of each triangle (kernels/planes.cl)
 uniform usamplerBuffer patches;
 
-#include "constants.h"
+#include "shared/constants.h"
 #include "kernel_language.glsl"
 
 // The size of the depth texture, or of the numbers if they are read in its place.
@@ -33,7 +33,7 @@ int number_at(Depth depths, int column, int row) {
 float plane_at(Depth depths, int number, int part) { return texelFetch(planes, number)[part]; }
 int patch_at(Depth depths, int number) { return int(texelFetch(patches, number).r); }
 
-#include "spine.h"
+#include "shared/spine.h"
 
 int own_patch(int number) {
     return number != int(LA_NO_NUMBER) ? int(texelFetch(patches, number).r) : LA_NO_PATCH;

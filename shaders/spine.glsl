@@ -1,5 +1,5 @@
 // spine: a stroke straight from a segment of the segment table (§3.1). Projection, clipping and the
-// description of the own faces are those of kernels/clipping.h.
+// description of the own faces are those of kernels/shared/clipping.h.
 
 #include "probe.glsl"
 
@@ -15,7 +15,7 @@ uniform vec2 tile_count;
 uniform bool use_tiles;
 uniform usamplerBuffer face_numbers;  // of the triangles, as in `numbers`
 
-#include "clipping.h"
+#include "shared/clipping.h"
 #include "flags.h"
 
 // A quad reaches this far beyond the stroke's edge, for antialiasing.

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "constants.h"
+#include "shared/constants.h"
 #include "vector/junctions.hpp"
 #include "vector/pieces.hpp"
 

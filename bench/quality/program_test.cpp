@@ -48,15 +48,19 @@ class QualityProgram : public testing::Test {
     /// A copy of a folder of sources in which one text is replaced, wherever it stands.
     fs::path with_planted(const std::string& name, const std::string& from,
                           const std::string& to) const {
-        fs::create_directories(folder_ / name);
+        fs::remove_all(folder_ / name);
+        fs::create_directories(folder_);
+        fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / name, folder_ / name,
+                 fs::copy_options::recursive);
         int planted = 0;
-        for (const auto& entry : fs::directory_iterator{fs::path{LINEATLAS_SOURCE_DIR} / name}) {
+        for (const auto& entry : fs::recursive_directory_iterator{folder_ / name}) {
+            if (!entry.is_regular_file()) continue;
             std::string text = content(entry.path());
             if (const auto at = text.find(from); at != std::string::npos) {
                 text.replace(at, from.size(), to);
                 ++planted;
             }
-            std::ofstream{folder_ / name / entry.path().filename()} << text;
+            std::ofstream{entry.path()} << text;
         }
         EXPECT_EQ(planted, 1) << from;
         return folder_ / name;

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "constants.h"
+#include "shared/constants.h"
 
 namespace lineatlas::bench {
 namespace {

@@ -1,6 +1,6 @@
 // What a style draws of points of lines, on lines whose figures are known by hand.
 
-#include "constants.h"
+#include "shared/constants.h"
 #include "styled.hpp"
 
 #include <gtest/gtest.h>

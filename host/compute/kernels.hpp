@@ -11,11 +11,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "constants.h"
-#include "language.h"
 #include "lineatlas/compute_device.hpp"
-#include "meshlet_table.h"
 #include "segment_table.h"
+#include "shared/constants.h"
+#include "shared/language.h"
+#include "shared/meshlet_table.h"
 #include "style_numbers.h"
 
 namespace lineatlas::compute {

@@ -10,8 +10,8 @@
 #include "assembly_state.hpp"
 #include "check_lines.hpp"
 #include "lineatlas/error.hpp"
-#include "meshlet_table.h"
 #include "objects_apart.hpp"
+#include "shared/meshlet_table.h"
 
 namespace lineatlas {
 namespace {

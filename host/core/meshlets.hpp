@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "meshlet_table.h"
+#include "shared/meshlet_table.h"
 
 namespace lineatlas {
 

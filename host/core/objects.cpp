@@ -9,10 +9,10 @@
 #include <glm/matrix.hpp>
 
 #include "check_mesh.hpp"
-#include "constants.h"
 #include "corner_normals.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {

@@ -9,7 +9,7 @@ namespace lineatlas {
 
 /// A kernel, shader or style file, embedded at build time.
 struct EmbeddedSource {
-    std::string_view name; ///< the file's name without its folder
+    std::string_view name; ///< of the file in its folder, as "shared/run.h" in kernels/
     std::string_view text;
 };
 

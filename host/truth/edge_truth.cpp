@@ -9,8 +9,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "constants.h"
 #include "contour_crossing.hpp"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "constants.h"
 #include "segment_grid.hpp"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "constants.h"
 #include "core/path_share.hpp"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "chaining.hpp"
-#include "constants.h"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
 #include "core/depth_tolerance.hpp"
@@ -21,6 +20,7 @@
 #include "paths.hpp"
 #include "pieces.hpp"
 #include "plotter.hpp"
+#include "shared/constants.h"
 #include "simplify.hpp"
 #include "strips.hpp"
 #include "style/settings.hpp"

@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/spans.hpp"
-#include "constants.h"
 #include "core/path_share.hpp"
 #include "paths.hpp"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "compare.hpp"
 #include "compute/cpp/cpp_device.hpp"
-#include "constants.h"
 #include "devices.hpp"
 #include "exact_support.hpp"
 #include "lineatlas/scenes.hpp"
 #include "planted_error.hpp"
+#include "shared/constants.h"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-// Pairs of floats (kernels/float_pair.h) against double.
+// Pairs of floats (kernels/shared/float_pair.h) against double.
 
 #include <cmath>
 
 #include "test_meshes.hpp"
 
-#include "constants.h"
 #include "segment_table.h"
+#include "shared/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace lineatlas::test {
 namespace kernel {
 #include "compute/cpp/opencl_c.hpp"
 
-#include "float_pair.h"
+#include "shared/float_pair.h"
 } // namespace kernel
 namespace {
 

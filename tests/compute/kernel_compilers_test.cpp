@@ -355,7 +355,7 @@ TEST_F(KernelCompilers, RefuseWhatOpenClDoesNotHave) {
         {"#define all_of(...) __VA_ARGS__", "variadic macros"},
         {"static int two(void) { return ({ 2; }); }", "GNU statement expression"}};
     for (const auto& [text, complaint] : planted) {
-        const PlantedError error{"language.h", "#define FUNCTION static",
+        const PlantedError error{"shared/language.h", "#define FUNCTION static",
                                  std::string{"#define FUNCTION static\n"} + text};
         const auto found = refusals("facing");
         EXPECT_EQ(found.size(), 3U) << "each compiler: " << text;

@@ -68,7 +68,7 @@ TEST_P(KernelMessages, ABuildErrorHasTheFileAndTheLine) {
     const compute::Kernel& kernel = compute::kernel_of<compute::kernels::atlas>();
     const std::pair<const char*, const char*> places[] = {
         {"atlas.cl", "KERNEL(atlas, "},
-        {"spine.h", "FUNCTION Spine make_spine("}}; // behind includes
+        {"shared/spine.h", "FUNCTION Spine make_spine("}}; // behind includes
     for (const auto& [file, text] : places) {
         const PlantedError broken{file, text, std::string{"unknown_type broken; "} + text};
         const std::string said = said_by_launching(kernel);

@@ -6,8 +6,8 @@
 
 #include "test_meshes.hpp"
 
-#include "constants.h"
 #include "segment_table.h"
+#include "shared/constants.h"
 
 #include <gtest/gtest.h>
 

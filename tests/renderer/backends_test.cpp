@@ -122,7 +122,7 @@ TEST_F(OnScenes, EveryStageOfAStyleIsComparedAndEqual) {
 }
 
 TEST_F(OnScenes, TheFirstStageThatDiffersIsReported) {
-    const PlantedError error{"run.h", "xy(c) / c.w + 1.0f", "xy(c) / c.w + 1.01f"};
+    const PlantedError error{"shared/run.h", "xy(c) / c.w + 1.0f", "xy(c) / c.w + 1.01f"};
     const std::string message = message_of([&] { draw_with({.compare_with = "cpp"}, "clevis"); });
     expect_words(message, {"stage compact differs", "runs, element 0", "Run::start[0]", "(cpp"});
     // No stage before this one differs.

@@ -266,7 +266,7 @@ TEST_F(Planted, InTheSecondDrawIsSeenBesideTheKernel) {
 }
 
 TEST_F(Planted, InTheKernelIsSeenBesideTheReference) {
-    const PlantedError error{"run.h", "xy(c) / c.w + 1.0f", "xy(c) / c.w + 1.01f"};
+    const PlantedError error{"shared/run.h", "xy(c) / c.w + 1.0f", "xy(c) / c.w + 1.01f"};
     const Drawn opencl = draw_clevis({});
     const Drawn cpp = draw_clevis({}, {.compute = "cpp"});
     EXPECT_FALSE(samples_differ(opencl, cpp));

@@ -244,9 +244,10 @@ class Planted {
             const std::string& to)
         : folder_(fs::path{testing::TempDir()} /
                   ("lineatlas-planted-" + folder + "-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
+        fs::copy(fs::path{LINEATLAS_SOURCE_DIR} / folder, folder_, fs::copy_options::recursive);
         int planted = 0;
-        for (const auto& entry : fs::directory_iterator{fs::path{LINEATLAS_SOURCE_DIR} / folder}) {
+        for (const auto& entry : fs::recursive_directory_iterator{folder_}) {
+            if (!entry.is_regular_file()) continue;
             std::ostringstream content;
             content << std::ifstream{entry.path()}.rdbuf();
             std::string text = content.str();
@@ -254,7 +255,7 @@ class Planted {
                 text.replace(at, from.size(), to);
                 ++planted;
             }
-            std::ofstream{folder_ / entry.path().filename()} << text;
+            std::ofstream{entry.path()} << text;
         }
         EXPECT_EQ(planted, 1) << from;
         variable_.emplace(variable, folder_.string());

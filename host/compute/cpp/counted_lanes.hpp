@@ -1,6 +1,6 @@
-// Lanes (kernels/lanes.h) for counting operations. Lanes are computed one after the other by the
-// functions for single numbers, with the same results as lanes of opencl_c.hpp, which includes this
-// file.
+// Lanes (kernels/shared/lanes.h) for counting operations. Lanes are computed one after the other by
+// the functions for single numbers, with the same results as lanes of opencl_c.hpp, which includes
+// this file.
 
 inline int sum(int a, int b) {
     return static_cast<int>(static_cast<uint>(a) + static_cast<uint>(b));

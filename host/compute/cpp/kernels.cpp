@@ -15,10 +15,10 @@
 #define float lineatlas::compute::CountedFloat
 #endif
 
-#include "constants.h"
 #include "flags.h"
-#include "meshlet_table.h"
 #include "segment_table.h"
+#include "shared/constants.h"
+#include "shared/meshlet_table.h"
 #include "style_numbers.h"
 
 namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
@@ -27,15 +27,15 @@ namespace lineatlas::compute::LINEATLAS_INSTRUCTION_SET {
 
 #include "kernels.h"
 
-#include "atlas_samples.h"
-#include "batches.h"
-#include "clipping.h"
-#include "exact.h"
-#include "float_pair.h"
-#include "own_face.h"
-#include "run.h"
-#include "screen_box.h"
-#include "silhouette.h"
+#include "shared/atlas_samples.h"
+#include "shared/batches.h"
+#include "shared/clipping.h"
+#include "shared/exact.h"
+#include "shared/float_pair.h"
+#include "shared/own_face.h"
+#include "shared/run.h"
+#include "shared/screen_box.h"
+#include "shared/silhouette.h"
 #include "visible_parts.h"
 
 // The form of a CPU: several probes, or lines, at once.

@@ -1,6 +1,6 @@
-// OpenCL C, as far as kernels use it, as C++20: the C++ side of kernels/language.h. It is included
-// in the namespace of each instruction set (kernels.cpp), which share none of it. So it has no
-// include guard, and uses no standard library, whose functions would be shared.
+// OpenCL C, as far as kernels use it, as C++20: the C++ side of kernels/shared/language.h. It is
+// included in the namespace of each instruction set (kernels.cpp), which share none of it. So it
+// has no include guard, and uses no standard library, whose functions would be shared.
 
 using uint = unsigned int;
 using uchar = unsigned char;
@@ -335,7 +335,7 @@ inline uint atomic_inc(uint* to) {
     return atomic_add(to, 1);
 }
 
-// Lanes, see kernels/lanes.h.
+// Lanes, see kernels/shared/lanes.h.
 
 #ifdef LINEATLAS_COUNTED
 #include "counted_lanes.hpp"

@@ -56,8 +56,9 @@ constexpr Quirk quirks[] = {
      .what =
          "What a function writes by a pointer into local memory is lost, unless the function is "
          "inlined. LLVM 21 inlines fewer of them than 14 to 18 did.",
-     .remedy = "INLINED (kernels/language.h), which kernel_compilers_test asks of every function "
-               "that is given local memory; docs/devices.md has a small program that shows it",
+     .remedy =
+         "INLINED (kernels/shared/language.h), which kernel_compilers_test asks of every function "
+         "that is given local memory; docs/devices.md has a small program that shows it",
      .seen_with = "PoCL 3.1 (told noinline) and 7.1",
      .link = "https://github.com/pocl/pocl/issues"},
     {.platform = pocl,

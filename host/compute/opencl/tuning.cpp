@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "constants.h"
 #include "quirks.hpp"
+#include "shared/constants.h"
 #include "sources/sources.hpp"
 #include "tuning_table.hpp"
 

@@ -8,8 +8,9 @@
 
 namespace lineatlas::compute {
 
-/// The exact method (kernels/exact.h): finds the visible parts of every segment without a depth
-/// buffer and without samples. Keeps the tables of its stages, which grow when a frame needs more.
+/// The exact method (kernels/shared/exact.h): finds the visible parts of every segment without a
+/// depth buffer and without samples. Keeps the tables of its stages, which grow when a frame needs
+/// more.
 class ExactVisibility {
   public:
     /// `stages` must outlive it.

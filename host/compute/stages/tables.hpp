@@ -56,7 +56,7 @@ struct SegmentTable {
     std::uint64_t version = 0;
 };
 
-/// The first segments, or triangles, of a table in batches; see kernels/batches.h.
+/// The first segments, or triangles, of a table in batches; see kernels/shared/batches.h.
 struct BatchTable {
     Buffer& boxes;       ///< `Batch` each
     Buffer& states;      ///< a byte each: LA_BATCH_*, of the current frame

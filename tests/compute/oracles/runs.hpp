@@ -7,8 +7,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "constants.h"
 #include "segment_table.h"
+#include "shared/constants.h"
 
 namespace lineatlas::test::oracles {
 
@@ -53,7 +53,7 @@ struct Place {
 /// positions if it has none.
 Place place_at(const FrameTables& frame, std::uint32_t i, float sample, std::uint32_t l);
 
-/// §4.5, mitering; see run.h.
+/// §4.5, mitering; see shared/run.h.
 End segment_end(const FrameTables& frame, std::uint32_t i, bool at_end);
 
 /// A run between two positions in samples of segment i, which has `l` samples. The caller sets

@@ -3,8 +3,8 @@
 #ifndef LINEATLAS_SCREEN_BOX_H
 #define LINEATLAS_SCREEN_BOX_H
 
-#include "clipping.h"
 #include "kernels.h"
+#include "shared/clipping.h"
 
 typedef struct ScreenBox {
     float3 low, high; /* normalised device coordinates; no bounds if before_near */

@@ -2,9 +2,9 @@
 #ifndef LINEATLAS_CLIPPING_H
 #define LINEATLAS_CLIPPING_H
 
-#include "constants.h"
-#include "language.h"
-#include "own_face.h"
+#include "shared/constants.h"
+#include "shared/language.h"
+#include "shared/own_face.h"
 
 FUNCTION float4 transform_point(const Matrix m, const float3 v) {
     return (m.x * v.x + m.y * v.y) + (m.z * v.z + m.w);

@@ -3,8 +3,8 @@
 #ifndef LINEATLAS_RUN_H
 #define LINEATLAS_RUN_H
 
-#include "atlas_samples.h"
 #include "kernels.h"
+#include "shared/atlas_samples.h"
 
 /* The tables of a frame. */
 typedef struct Frame {

@@ -2,8 +2,8 @@
 #ifndef LINEATLAS_BATCHES_H
 #define LINEATLAS_BATCHES_H
 
-#include "clipping.h"
 #include "kernels.h"
+#include "shared/clipping.h"
 
 /* Rounding of a point in clip space, with some to spare, as a share of the largest sum that the
  * point is made of. The box of a batch is wider by it. */

@@ -7,7 +7,7 @@
  * There are two rules. If the triangles in the depth buffer are known by number, a probe judges the
  * surface that it sees (sees_past_surface). Otherwise, as with a program's own depth, it judges by
  * depth alone (sees_past_depth). */
-#include "own_face.h"
+#include "shared/own_face.h"
 
 /* One of the two faces of a line, as describe_own_face() in clipping.h packs it. */
 struct OwnFace {

@@ -5,7 +5,7 @@
 #ifndef LINEATLAS_FLOAT_PAIR_H
 #define LINEATLAS_FLOAT_PAIR_H
 
-#include "language.h"
+#include "shared/language.h"
 
 typedef struct FloatPair {
     float high, low; /* abs(low) is at most half an ulp of high */

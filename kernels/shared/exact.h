@@ -10,8 +10,8 @@
 #ifndef LINEATLAS_EXACT_H
 #define LINEATLAS_EXACT_H
 
-#include "clipping.h"
 #include "kernels.h"
+#include "shared/clipping.h"
 
 /* Faces flatter to the eye than this (sine) are seen from the edge and hide nothing: rounding would
  * decide which side of them the eye is on. */

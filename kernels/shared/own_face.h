@@ -2,8 +2,8 @@
 #ifndef LINEATLAS_OWN_FACE_H
 #define LINEATLAS_OWN_FACE_H
 
-#include "constants.h"
-#include "language.h"
+#include "shared/constants.h"
+#include "shared/language.h"
 
 /* Stands in place of both descriptions, or of both numbers, of a line that lies within its part
  * (LA_TAG_BURIED). */

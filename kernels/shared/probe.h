@@ -1,7 +1,7 @@
 /* Looking at the depth buffer along a segment, for `atlas` and `intervals`, which include this file
  * once each. LANES: how many probes are made at once, see lanes.h. */
 #include "kernels.h"
-#include "lanes.h"
+#include "shared/lanes.h"
 
 /* The depth buffer, and how much may stand before a line: in window depth times w. */
 typedef struct Depth {
@@ -59,7 +59,7 @@ static lanes_float depth_at(const Depth depths, const lanes_int column, const la
     return GATHER_LANES(depths.texels, index);
 }
 
-#include "spine.h"
+#include "shared/spine.h"
 
 static int own_patch(const Depth depths, const int number) {
     return number != (int)LA_NO_NUMBER ? (int)depths.patches[number] : LA_NO_PATCH;
