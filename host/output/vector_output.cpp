@@ -26,11 +26,12 @@ VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindLines fi
 
 bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
     AtomicFile file{path}; // what cannot be written is said before the work
-    const SeenLines seen = find_(camera);
+    SeenLines seen = find_(camera);
     VectorOptions options = frame_.paths;
     options.outlines = seen.outlines;
-    const VectorDrawing drawing =
+    VectorDrawing drawing =
         make_vector_drawing(lines_, camera, seen.intervals, frame_.style, options);
+    drawing.fills = std::move(seen.fills);
     thinned_share_ = std::max(thinned_share_, drawing.thinned_share);
     const std::string description =
         frame_.description + " " + describe_camera(camera, frame_.json.origin);

@@ -156,6 +156,39 @@ TEST_F(Sheets, EzdxfFindsNothingWrong) {
     }
 }
 
+/// A plate of 40 by 20 mm under a smaller one of 10 by 10, seen from above at 1:1.
+TEST_F(Sheets, HatchesOfFillsHaveTheAreasOfTheParts) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("plates.obj", "v 0 0 0\nv 40 0 0\nv 40 0 20\nv 0 0 20\n"
+                        "v 5 1 5\nv 15 1 5\nv 15 1 15\nv 5 1 15\n"
+                        "o plate\nf 4 3 2 1\no cover\nf 8 7 6 5\n");
+    drawn("plates.obj", "a.dxf", "--view top --scale 1:1 --fill flat --fill-color #ff8000");
+    write(
+        "hatches.py",
+        "import sys, ezdxf\n"
+        "drawing = ezdxf.readfile(sys.argv[1])\n"
+        "audit = drawing.audit()\n"
+        "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+        "def area(p): return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1])) / 2\n"
+        "for hatch in drawing.modelspace().query('HATCH'):\n"
+        "    size = abs(sum(area(path.vertices) for path in hatch.paths))\n"
+        "    print(hatch.dxf.layer, '%06x' % hatch.dxf.true_color,\n"
+        "          hatch.get_xdata('LINEATLAS')[1].value, '%.2f' % size)\n");
+    const Result result = shell(python + path("hatches.py") + " " + path("a.dxf") + " 2>&1");
+    EXPECT_EQ(result.output, "fill ff8000 object plate 700.00\nfill ff8000 object cover 100.00\n");
+    const std::string svg =
+        drawn("plates.obj", "a.svg", "--view top --scale 1:1 --fill flat --fill-color #ff8000");
+    EXPECT_NE(svg.find("<desc>object plate</desc>"), std::string::npos);
+    EXPECT_NE(svg.find("fill=\"#ff8000\""), std::string::npos);
+    for (const char* other : {"a.pdf", "a.json"}) {
+        SCOPED_TRACE(other);
+        const std::string without = drawn("plates.obj", other, "--view top");
+        EXPECT_GT(drawn("plates.obj", other, "--view top --fill flat").size(), without.size());
+    }
+    const std::string for_pen = drawn("plates.obj", "a.svg", "--view top --fill flat --plotter");
+    EXPECT_EQ(for_pen.find("\"fill\""), std::string::npos);
+}
+
 TEST_F(Sheets, LibreCadOpensIt) {
     if (!is_installed("librecad") || !is_installed("pdftocairo"))
         GTEST_SKIP() << "librecad or poppler-utils is not installed";
