@@ -22,6 +22,7 @@
 #include "io/standard_streams.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/fills.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/style_files.hpp"
@@ -224,6 +225,14 @@ void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* 
     draw_frames(drawing, output, measuring);
 }
 
+/// Under the lines; a plotter draws none.
+std::vector<VectorFill> fills_of(const Drawing& drawing, const Camera& camera) {
+    if (drawing.arguments.paths.plotter()) return {};
+    DeviceOptions device = drawing.arguments.device;
+    device.interop.clear();
+    return find_fills(drawing.subject.lines, camera, drawing.options.style.fill, device);
+}
+
 void draw_paths(const Drawing& drawing, Renderer& renderer) {
     const auto draw = [&](const Camera& camera, const FrameOptions& wanted) {
         FrameOptions options = wanted;
@@ -233,7 +242,7 @@ void draw_paths(const Drawing& drawing, Renderer& renderer) {
     };
     const auto find = [&](const Camera& camera) -> SeenLines {
         draw(camera, drawing.options);
-        return {renderer.read_intervals(), renderer.read_outlines()};
+        return {renderer.read_intervals(), renderer.read_outlines(), fills_of(drawing, camera)};
     };
     const Measuring measuring{renderer, [&](const Camera& camera, const FrameOptions& wanted) {
                                   const FrameStats stats = draw(camera, wanted);
@@ -267,7 +276,7 @@ void draw_without_gl(const Drawing& drawing) {
         wanted.outline_depth = outline_depth(drawing.options.style, camera.size);
         wanted.centre_overhang = centre_overhang(drawing.options.style, camera.size);
         std::vector<Interval> intervals = visibility.find(camera, wanted);
-        return {std::move(intervals), visibility.outlines()};
+        return {std::move(intervals), visibility.outlines(), fills_of(drawing, camera)};
     };
     draw_paths(drawing, find, nullptr);
 }

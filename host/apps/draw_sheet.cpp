@@ -14,6 +14,7 @@
 #include "description.hpp"
 #include "flags.h"
 #include "io/standard_streams.hpp"
+#include "lineatlas/fills.hpp"
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
 #include "output/sheet_output.hpp"
@@ -40,16 +41,20 @@ class Finder {
   public:
     Finder(const DrawArguments& arguments, const LineSet& lines, const VisibilityOptions& wanted,
            const Style& style)
-        : visibility_(lines, arguments.device), wanted_(wanted), style_(style) {}
+        : lines_(lines), device_(arguments.device), visibility_(lines, device_), wanted_(wanted),
+          style_(style) {}
 
     SeenLines find(const Camera& camera) {
         wanted_.outline_depth = outline_depth(style_, camera.size);
         wanted_.centre_overhang = centre_overhang(style_, camera.size);
         std::vector<Interval> intervals = visibility_.find(camera, wanted_);
-        return {std::move(intervals), visibility_.outlines()};
+        return {std::move(intervals), visibility_.outlines(),
+                find_fills(lines_, camera, style_.fill, device_)};
     }
 
   private:
+    const LineSet& lines_;
+    DeviceOptions device_;
     LineVisibility visibility_;
     VisibilityOptions wanted_;
     Style style_; ///< with lengths in pixels of views

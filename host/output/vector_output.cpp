@@ -25,12 +25,13 @@ VectorOutput::VectorOutput(VectorFrame frame, const LineSet& lines, FindLines fi
     : frame_(std::move(frame)), lines_(lines), find_(std::move(find)) {}
 
 bool VectorOutput::draw(const Camera& camera, const std::filesystem::path& path) {
-    AtomicFile file{path}; // an error of writing is reported before the work
-    const SeenLines seen = find_(camera);
+    AtomicFile file{path}; // what cannot be written is said before the work
+    SeenLines seen = find_(camera);
     VectorOptions options = frame_.paths;
     options.outlines = seen.outlines;
-    const VectorDrawing drawing =
+    VectorDrawing drawing =
         make_vector_drawing(lines_, camera, seen.intervals, frame_.style, options);
+    drawing.fills = std::move(seen.fills);
     thinned_share_ = std::max(thinned_share_, drawing.thinned_share);
     const std::string description =
         frame_.description + " " + describe_camera(camera, frame_.json.origin);

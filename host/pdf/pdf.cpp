@@ -92,7 +92,14 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcCho
     return strokes;
 }
 
-/// Runs `work` with the module and returns its result. Throws FileError.
+void add_areas(const VectorDrawing& drawing, const Sheet& sheet, pdf::Page& page) {
+    for (const VectorFill& fill : drawing.fills) {
+        pdf::Area& area = page.areas.emplace_back(pdf::Area{.color = fill.color, .borders = {}});
+        for (const Outline& ring : outlines_of(fill, sheet)) area.borders.push_back(way_of(ring));
+    }
+}
+
+/// What `work` makes with the module. Throws FileError.
 template <class Work>
 auto with_module(const Work& work) {
     const pdf::Module& module = pdf_module();
@@ -160,6 +167,7 @@ pdf::Page page_of(const VectorSheet& sheet, const SheetWriting& writing) {
                    .background = {},
                    .title = xml_text(layout.title),
                    .subject = xml_text(writing.description),
+                   .areas = {},
                    .strokes = {},
                    .texts = {}};
     if (writing.background && style.paper.color != glm::vec3{1})
@@ -168,6 +176,7 @@ pdf::Page page_of(const VectorSheet& sheet, const SheetWriting& writing) {
     for (std::size_t i = 0; i < layout.views.size(); ++i) {
         const Sheet place =
             in_points(place_of(layout.views[i], layout.size), points_per_millimetre);
+        add_areas(sheet.drawings[i], place, page);
         for (const LineGroup& group : line_groups(sheet.drawings[i]))
             if (!group.thinned)
                 page.strokes.push_back(
@@ -190,11 +199,13 @@ std::string to_pdf(const VectorDrawing& drawing, const PdfOptions& options) {
                    .background = {},
                    .title = xml_text(options.title),
                    .subject = xml_text(options.description),
+                   .areas = {},
                    .strokes = {},
                    .texts = {}};
     if (!options.certificate.empty()) page.subject += "; " + xml_text(options.certificate);
     if (options.background && drawing.style.paper.color != glm::vec3{1})
         page.background = drawing.style.paper.color;
+    add_areas(drawing, sheet, page);
     for (const LineGroup& group : line_groups(drawing))
         if (!group.thinned)
             page.strokes.push_back(strokes_of(group, sheet, {options.curves, options.fit_arcs}));

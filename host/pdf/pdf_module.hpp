@@ -45,6 +45,12 @@ struct Strokes {
     std::vector<Way> ways;
 };
 
+/// An area of one colour.
+struct Area {
+    glm::vec3 color{0};
+    std::vector<Way> borders; ///< closed; even and odd
+};
+
 /// A line of text.
 struct Text {
     glm::vec3 color{0};
@@ -60,6 +66,7 @@ struct Page {
     glm::dvec2 size{1};
     std::optional<glm::vec3> background;
     std::string title, subject; ///< UTF-8
+    std::vector<Area> areas;    ///< below all else, none over another
     std::vector<Strokes> strokes;
     std::vector<Text> texts;
 };
@@ -80,8 +87,8 @@ struct Module {
 };
 
 /// The module's one symbol. Its number changes with `Module`.
-inline constexpr const char* module_symbol = "lineatlas_pdf_3";
+inline constexpr const char* module_symbol = "lineatlas_pdf_4";
 
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_3;
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_4;

@@ -14,10 +14,13 @@ std::string to_dxf(const VectorDrawing& drawing, const DxfOptions& options) {
     const std::vector<LineGroup> groups = line_groups(drawing);
     DxfLayers layers;
     add_layers(layers, groups, sheet);
+    add_fill_layer(layers, drawing);
 
     DxfText body;
     DxfEntities writer{body, write_tables(body, layers, sheet.size), sheet.size.y};
     body.begin_section("ENTITIES");
+    for (const VectorFill& fill : drawing.fills)
+        writer.write(fill, sheet, {.layer = fill_layer, .tags = true});
     for (std::size_t i = 0; i < groups.size(); ++i)
         writer.write(groups[i], sheet, {options.curves, options.fit_arcs},
                      {.layer = layers.layers[i].name, .tags = !drawing.travel}); // as of SVG

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dxf_layers.hpp"
 #include "dxf_tables.hpp"
 #include "tags.hpp"
 
@@ -103,10 +104,42 @@ void DxfEntities::write(const Outline& outline) {
     end_part(points[(first + steps) % count].at);
 }
 
-void DxfEntities::begin(std::string_view type, std::string_view subclass) {
+void DxfEntities::write(const VectorFill& fill, const Sheet& sheet, const DxfLook& look) {
+    look_ = look;
+    entities_ = look.tags && !fill.object.empty() ? "object " + dxf_line(fill.object) : "";
+    const std::vector<Outline> rings = outlines_of(fill, sheet);
+    begin("HATCH", "AcDbHatch", fill.color);
+    add_in_space(10, {0, 0}, 1);
+    text_.add(210, 0.0);
+    text_.add(220, 0.0);
+    text_.add(230, 1.0);
+    text_.add(2, "SOLID");
+    text_.add(70, 1); // filled
+    text_.add(71, 0); // follows no other entities
+    text_.add(91, static_cast<int>(rings.size()));
+    for (const Outline& ring : rings) write_ring(ring);
+    text_.add(75, 0); // inside of an odd number of borders
+    text_.add(76, 1);
+    text_.add(98, 0);
+    end();
+}
+
+void DxfEntities::write_ring(const Outline& ring) {
+    text_.add(92, 2); // a polyline
+    text_.add(72, 0); // without bulges
+    text_.add(73, 1); // closed
+    text_.add(93, static_cast<int>(ring.points.size()));
+    for (const OutlinePoint& point : ring.points) text_.add(10, place(point.at));
+    text_.add(97, 0);
+}
+
+void DxfEntities::begin(std::string_view type, std::string_view subclass,
+                        std::optional<glm::vec3> color) {
     text_.begin(type, block_);
     text_.add(100, "AcDbEntity");
     text_.add(8, look_.layer);
+    if (color) text_.add(62, nearest_index(*color));
+    if (color) text_.add(420, whole_color(*color));
     if (look_.line_weight != 0) text_.add(370, look_.line_weight);
     text_.add(100, subclass);
 }

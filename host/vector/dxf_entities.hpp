@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,11 +32,16 @@ class DxfEntities {
                const DxfLook& look);
     void write(const Outline& outline, const DxfLook& look);
     void write(const SheetText& text);
+    /// An area as a hatch without lines.
+    void write(const VectorFill& fill, const Sheet& sheet, const DxfLook& look);
 
   private:
     void write(const Outline& outline);
     glm::dvec2 place(glm::dvec2 at) const { return {at.x, height_ - at.y}; }
-    void begin(std::string_view type, std::string_view subclass);
+    void begin(std::string_view type, std::string_view subclass,
+               std::optional<glm::vec3> color = {});
+    /// A border of a hatch.
+    void write_ring(const Outline& ring);
     /// What the file calls the edge or the face that is shown.
     void end();
     /// A point or a vector in space.

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "outline.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -40,22 +42,6 @@ glm::dvec3 indexed_color(int index) {
     return color * lightness[static_cast<std::size_t>(index % 10 / 2)];
 }
 
-int nearest_index(glm::vec3 color) {
-    const double brightest = static_cast<double>(std::max({color.x, color.y, color.z}));
-    if (brightest < 0.1) return 7; // black on white paper, white on black: what one can see
-    int nearest = 7;
-    for (int index = 1; index < 256; ++index) {
-        const auto far = [&](int i) { return glm::distance(indexed_color(i), glm::dvec3{color}); };
-        if (far(index) < far(nearest) - 1e-6) nearest = index;
-    }
-    return nearest;
-}
-
-int whole_color(glm::vec3 color) {
-    const glm::ivec3 bytes{glm::round(255.0F * glm::clamp(color, 0.0F, 1.0F))};
-    return bytes.x << 16 | bytes.y << 8 | bytes.z;
-}
-
 /// The scales of a sheet's views differ by rounding.
 bool is_same_length(double a, double b) {
     return std::abs(a - b) <= 1e-6 * a;
@@ -72,6 +58,22 @@ const std::string& linetype_of(const std::vector<double>& dashes, std::vector<Dx
 
 } // namespace
 
+int nearest_index(glm::vec3 color) {
+    const double brightest = static_cast<double>(std::max({color.x, color.y, color.z}));
+    if (brightest < 0.1) return 7; // black on white paper, white on black: what one can see
+    int nearest = 7;
+    for (int index = 1; index < 256; ++index) {
+        const auto far = [&](int i) { return glm::distance(indexed_color(i), glm::dvec3{color}); };
+        if (far(index) < far(nearest) - 1e-6) nearest = index;
+    }
+    return nearest;
+}
+
+int whole_color(glm::vec3 color) {
+    const glm::ivec3 bytes{glm::round(255.0F * glm::clamp(color, 0.0F, 1.0F))};
+    return bytes.x << 16 | bytes.y << 8 | bytes.z;
+}
+
 int nearest_weight(double millimetres) {
     return *std::ranges::min_element(line_weights, {}, [&](int weight) {
         return std::abs(std::log(weight / (100 * millimetres)));
@@ -84,6 +86,11 @@ DxfLayer own_layer(const std::string& name, const Pen& pen) {
             .color_index = nearest_index(pen.color),
             .color = whole_color(pen.color),
             .line_weight = nearest_weight(usual_width)};
+}
+
+void add_fill_layer(DxfLayers& to, const VectorDrawing& drawing, const std::string& prefix) {
+    if (!drawing.fills.empty())
+        to.layers.push_back(own_layer(prefix + fill_layer, drawing.style.pen));
 }
 
 void add_layers(DxfLayers& found, std::span<const LineGroup> groups, const Sheet& sheet,

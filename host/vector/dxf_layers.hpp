@@ -34,6 +34,13 @@ struct DxfLayers {
 void add_layers(DxfLayers& to, std::span<const LineGroup> groups, const Sheet& sheet,
                 const std::string& prefix = {});
 
+/// Adds that of fills, if the drawing has any; hatches have colours of their own.
+void add_fill_layer(DxfLayers& to, const VectorDrawing& drawing, const std::string& prefix = {});
+
+/// The nearest of AutoCAD's colours, for programs that know no others, and the colour, 0xRRGGBB.
+int nearest_index(glm::vec3 color);
+int whole_color(glm::vec3 color);
+
 /// A layer of a sheet's own, in the colour of a pen.
 DxfLayer own_layer(const std::string& name, const Pen& pen);
 

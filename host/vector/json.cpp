@@ -25,6 +25,11 @@ double depth(double value) {
     return rounded(value, 1e7);
 }
 
+/// Names from files may be in any encoding.
+std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// As few digits as a float needs.
 double short_float(double value) {
     char text[32];
@@ -111,6 +116,31 @@ Json path_json(const VectorPath& path, const VectorDrawing& drawing, const JsonO
     return json;
 }
 
+Json fill_json(const VectorFill& fill) {
+    constexpr double steps = 10000;
+    Json rings = Json::array();
+    for (const std::vector<glm::dvec2>& ring : fill.rings) {
+        Json points = Json::array();
+        for (const glm::dvec2 point : ring)
+            points.push_back({rounded(point.x, steps), rounded(point.y, steps)});
+        rings.push_back(std::move(points));
+    }
+    return {{"object", fill.object}, {"color", color_text(fill.color)}, {"rings", rings}};
+}
+
+/// A member whose value is a list, an element on a line each.
+template <class Element, class Made>
+std::string list_text(const char* key, const std::vector<Element>& elements, const Made& made) {
+    std::string text = ",\n\"";
+    text.append(key).append("\":[");
+    const char* before = "\n";
+    for (const Element& element : elements) {
+        text += before + text_of(made(element));
+        before = ",\n";
+    }
+    return text + "\n]";
+}
+
 /// Of drawings with several: what paths name by number.
 Json pens_json(const std::vector<Pen>& pens) {
     Json json = Json::array();
@@ -144,24 +174,16 @@ Json head_json(const VectorDrawing& drawing, const JsonOptions& options) {
     return json;
 }
 
-/// Names from files may be in any encoding.
-std::string text_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 } // namespace
 
 std::string to_json(const VectorDrawing& drawing, const JsonOptions& options) {
     check_drawing(drawing);
     std::string text = text_of(head_json(drawing, options));
     text.pop_back(); // the brace that closes it
-    text += ",\n\"paths\":[";
-    const char* before = "\n";
-    for (const VectorPath& path : drawing.paths) {
-        text += before + text_of(path_json(path, drawing, options));
-        before = ",\n";
-    }
-    return text + "\n]}\n";
+    if (!drawing.fills.empty()) text += list_text("fills", drawing.fills, fill_json);
+    text += list_text("paths", drawing.paths,
+                      [&](const VectorPath& path) { return path_json(path, drawing, options); });
+    return text + "}\n";
 }
 
 } // namespace lineatlas

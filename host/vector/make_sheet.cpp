@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "core/style_lengths.hpp"
 #include "lineatlas/sheet.hpp"
 #include "sheet_measures.hpp"
@@ -17,11 +19,12 @@ VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
                               const VectorOptions& options) {
     VectorSheet sheet{.layout = layout, .drawings = {}};
     for (const SheetView& view : layout.views) {
-        const SeenLines seen = find(view.camera);
+        SeenLines seen = find(view.camera);
         VectorOptions own = options;
         own.outlines = seen.outlines;
         sheet.drawings.push_back(make_vector_drawing(lines, view.camera, seen.intervals,
                                                      style_of_view(style, view), own));
+        sheet.drawings.back().fills = std::move(seen.fills);
     }
     if (layout.measures) add_measures(sheet);
     return sheet;

@@ -86,6 +86,15 @@ VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to) {
             .sweep = 4 * std::atan(bulge)};
 }
 
+std::vector<Outline> outlines_of(const VectorFill& fill, const Sheet& sheet) {
+    std::vector<Outline> outlines;
+    for (const std::vector<glm::dvec2>& ring : fill.rings) {
+        Outline& outline = outlines.emplace_back(Outline{.points = {}, .closed = true});
+        for (const glm::dvec2 point : ring) outline.points.push_back({sheet.place(point)});
+    }
+    return outlines;
+}
+
 Outline outline_of(const VectorPath& path, const Sheet& sheet, const ArcChoice& arcs) {
     const bool known = arcs.known && !path.curves.empty();
     Outline outline = known ? with_curves(path) : of_chords(path);

@@ -45,6 +45,12 @@ struct ArcChoice {
     bool fitted = false; ///< where a path has none of these: fit_arcs()
 };
 
+/// The name of the layer of fills.
+inline constexpr const char* fill_layer = "fill";
+
+/// The borders of an area in the units of its sheet.
+std::vector<Outline> outlines_of(const VectorFill& fill, const Sheet& sheet);
+
 /// A path in the units of its sheet.
 Outline outline_of(const VectorPath& path, const Sheet& sheet, const ArcChoice& arcs);
 

@@ -49,6 +49,8 @@ std::string to_dxf(const VectorSheet& sheet, const SheetWriting& writing) {
         groups.push_back(line_groups(sheet.drawings[i]));
         add_layers(layers, groups.back(), place_of(view, size), name_in_file(view) + "-");
     }
+    for (std::size_t i = 0; i < sheet.drawings.size(); ++i)
+        add_fill_layer(layers, sheet.drawings[i], name_in_file(sheet.layout.views[i]) + "-");
     for (const std::string& own : own_layers(sheet.layout))
         layers.layers.push_back(own_layer(own, style_of(sheet).pen));
 
@@ -56,6 +58,12 @@ std::string to_dxf(const VectorSheet& sheet, const SheetWriting& writing) {
     DxfEntities writer{body, write_tables(body, layers, size), size.y};
     body.begin_section("ENTITIES");
     write_own(writer, sheet.layout);
+    for (std::size_t i = 0; i < sheet.drawings.size(); ++i) {
+        const SheetView& view = sheet.layout.views[i];
+        const std::string own = name_in_file(view) + "-" + fill_layer;
+        for (const VectorFill& fill : sheet.drawings[i].fills)
+            writer.write(fill, place_of(view, size), {.layer = own, .tags = true});
+    }
     auto layer = layers.layers.begin(); // one per group, in their order
     for (std::size_t i = 0; i < groups.size(); ++i)
         for (const LineGroup& group : groups[i])

@@ -69,6 +69,35 @@ XmlElement& add_group(XmlElement& parent, const LineGroup& lines, const Sheet& s
     return group;
 }
 
+std::string fill_data(const VectorFill& fill, const Sheet& sheet) {
+    constexpr int finer = 2; // digits than those of lines: borders are to stay apart
+    std::string data;
+    for (const Outline& ring : outlines_of(fill, sheet))
+        data += path_data(ring, sheet.digits + finer, false);
+    return data;
+}
+
+/// Pixels on a border have one of the colours beside it: a mixture with what is below would show
+/// as a seam.
+void write_fills(XmlElement& parent, const VectorDrawing& drawing, const Sheet& sheet,
+                 const SvgPaths& how) {
+    XmlElement& group = parent.add("g");
+    group.set("id", how.prefix + fill_layer);
+    group.set("class", fill_layer);
+    if (how.layers) mark_layer(group, how.prefix + fill_layer);
+    group.set("stroke", "none");
+    group.set("fill-rule", "evenodd");
+    group.set("shape-rendering", "crispEdges");
+    for (const VectorFill& fill : drawing.fills) {
+        const std::string data = fill_data(fill, sheet);
+        if (data.empty()) continue;
+        XmlElement& path = group.add("path");
+        path.set("fill", color_text(fill.color));
+        path.set("d", data);
+        if (how.tags && !fill.object.empty()) add_text(path, "desc", "object " + fill.object);
+    }
+}
+
 } // namespace
 
 std::string color_text(glm::vec3 color) {
@@ -80,6 +109,7 @@ std::string color_text(glm::vec3 color) {
 
 void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& sheet,
                  const SvgPaths& how) {
+    if (!drawing.fills.empty()) write_fills(parent, drawing, sheet, how);
     for (const LineGroup& group : line_groups(drawing)) {
         XmlElement& node = add_group(parent, group, sheet, how);
         const PenStroke stroke = pen_stroke(group.pen, sheet);

@@ -18,7 +18,7 @@ struct SvgPaths {
     std::string prefix{}; ///< of names of groups
 };
 
-/// Adds a group for the paths of each pen, and the paths.
+/// Adds a group for the fills, if there are any, then one for the paths of each pen, and the paths.
 void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& sheet,
                  const SvgPaths& how);
 

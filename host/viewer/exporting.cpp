@@ -122,7 +122,11 @@ void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
                 const std::filesystem::path& path, Renderer& renderer) {
     const Model& model = drawing.model;
     const FrameOptions frame = options_of_paths(drawing.options);
-    const auto find = [&](const Camera& camera) { return find_paths(renderer, camera, frame); };
+    const bool is_cut = options.purpose == Purpose::laser;
+    const bool is_drawn = options.purpose == Purpose::plotter;
+    const auto find = [&](const Camera& camera) {
+        return find_paths(renderer, model.lines, camera, frame, !is_cut && !is_drawn);
+    };
     const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
                                                 drawing.options.style, {.mesh = model.mesh.get()});
     const std::string description =
@@ -131,8 +135,6 @@ void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
                     options.measures ? "auto" : fmt::format("{}", fmt::join(options.views, ",")),
                     options.page) +
         (options.scale.empty() ? "" : " --scale " + options.scale);
-    const bool is_cut = options.purpose == Purpose::laser;
-    const bool is_drawn = options.purpose == Purpose::plotter;
     write_sheet(path, sheet,
                 {.background = !is_cut && !is_drawn,
                  .tags = !is_cut && !is_drawn,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/atomic_file.hpp"
+#include "lineatlas/fills.hpp"
 #include "output/picture_output.hpp"
 #include "output/vector_output.hpp"
 #include "settings.hpp"
@@ -49,7 +50,8 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     frame.description = command_of(picture);
     VectorOutput output{std::move(frame), picture.model.lines,
                         [&](const Camera& seen) -> SeenLines {
-                            return find_paths(renderer, seen, picture.options);
+                            return find_paths(renderer, picture.model.lines, seen, picture.options,
+                                              !picture.plotter);
                         }};
     output.draw(camera, path);
     output.finish();
@@ -104,9 +106,12 @@ FrameOptions options_of_paths(FrameOptions options) {
     return options;
 }
 
-SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOptions& options) {
+SeenLines find_paths(Renderer& renderer, const LineSet& lines, const Camera& camera,
+                     const FrameOptions& options, bool filled) {
     renderer.draw(camera, options, 0);
-    return {renderer.read_intervals(), renderer.read_outlines()};
+    SeenLines seen{renderer.read_intervals(), renderer.read_outlines()};
+    if (filled) seen.fills = find_fills(lines, camera, options.style.fill);
+    return seen;
 }
 
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,

@@ -35,8 +35,9 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
 /// Options with which a renderer finds paths as the tool does, whatever is on the screen.
 FrameOptions options_of_paths(FrameOptions options);
 
-/// The lines that a renderer finds with these options.
-SeenLines find_paths(Renderer& renderer, const Camera& camera, const FrameOptions& options);
+/// What it finds so of its lines, and if asked what the style fills.
+SeenLines find_paths(Renderer& renderer, const LineSet& lines, const Camera& camera,
+                     const FrameOptions& options, bool filled);
 
 /// The arguments with which `lineatlas` draws the picture, except those of the camera.
 std::string command_of(const SavedPicture& picture);

@@ -8,6 +8,7 @@
 #include "drawer.hpp"
 #include "intervals.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/fills.hpp"
 #include "lineatlas/framing.hpp"
 #include "lineatlas/vector.hpp"
 #include "options.hpp"
@@ -161,11 +162,11 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         // Hidden ones too: what hides a line may bridge a gap in it.
         const FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         const LineSet& lines = found.subject->lines;
-        const VectorDrawing drawing =
-            make_vector_drawing(lines, camera, found.intervals, frame.style,
-                                {.mesh = &found.subject->model->mesh,
-                                 .outlines = found.outlines,
-                                 .plotter = arguments.plotter});
+        VectorDrawing drawing = make_vector_drawing(lines, camera, found.intervals, frame.style,
+                                                    {.mesh = &found.subject->model->mesh,
+                                                     .outlines = found.outlines,
+                                                     .plotter = arguments.plotter});
+        if (!arguments.plotter) drawing.fills = find_fills(lines, camera, frame.style.fill);
         if (drawing.paths.empty()) flaw = why_blank(*found.subject, camera);
         return written(drawing);
     });

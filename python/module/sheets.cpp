@@ -9,6 +9,7 @@
 #include "bindings.hpp"
 #include "drawer.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/fills.hpp"
 #include "lineatlas/framing.hpp"
 #include "lineatlas/sheet.hpp"
 #include "lineatlas/style_files.hpp"
@@ -49,7 +50,8 @@ VectorSheet draw(Drawer& drawer, const SheetOptions& options, const Style& style
         FoundIntervals found = drawer.intervals(camera, frame, true, asked);
         if (found.subject != subject)
             throw UsageError("the model has changed while its sheet was drawn");
-        return {std::move(found.intervals), std::move(found.outlines)};
+        return {std::move(found.intervals), std::move(found.outlines),
+                find_fills(subject->lines, camera, style.fill)};
     };
     return make_vector_sheet(subject->lines, layout, find, style, {.mesh = &subject->model->mesh});
 }

@@ -129,6 +129,7 @@ ELSEWHERE = {
     "parse_page()": "Renderer.to_svg(page)", "parse_unit()": "Renderer.to_svg(margin)",
     "VectorDrawing.*": "Renderer.to_json()", "VectorPath.*": "Renderer.to_json()", "VectorPiece.*": "Renderer.to_json()",
     "VectorPoint.*": "Renderer.to_json()", "make_vector_drawing()": "Renderer.to_json()", "to_dxf()": "Renderer.to_dxf()",
+    "find_fills()": "Renderer.to_json()", "VectorFill.*": "Renderer.to_json()",
     "to_json()": "Renderer.to_json()", "to_svg()": "Renderer.to_svg()",
     # sheets
     "ProjectionAngle.*": "Renderer.to_sheet(angle)", "parse_projection_angle()": "Renderer.to_sheet(angle)",

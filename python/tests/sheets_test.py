@@ -1,5 +1,6 @@
 """Sheets, and the volume of meshes."""
 
+import json
 import re
 import unittest
 
@@ -41,6 +42,18 @@ class Sheets(FolderTest):
             clear = renderer.to_sheet(type="picture", dpi=50.8, page="a4", transparent=True)
             self.assertEqual(clear[0, 0, 3], 0)
             self.assertTrue(renderer.to_sheet(type="pdf").startswith(b"%PDF-"))
+
+    def test_fills(self) -> None:
+        mesh = lineatlas.Mesh(BOX, SIDES)
+        style = lineatlas.Style("technical", fill="flat", fill_color="#ff8000")
+        with lineatlas.Renderer(mesh) as renderer:
+            sheet = renderer.to_sheet(style=style, views="front,top")
+            self.assertEqual(re.findall('id="(.*-fill)"', sheet), ["front-fill", "top-fill"])
+            (fill,) = json.loads(renderer.to_json(style=style))["fills"]
+            self.assertEqual((fill["color"], len(fill["rings"])), ("#ff8000", 1))
+            self.assertEqual(len(fill["rings"][0]), 6)  # a box in perspective has six corners
+            self.assertNotIn("fills", json.loads(renderer.to_json()))
+            self.assertNotIn('id="fill"', renderer.to_svg(style=style, plotter=True))
 
     def test_says_what_is_wrong(self) -> None:
         with lineatlas.Renderer(lineatlas.Mesh(BOX, SIDES)) as renderer:

@@ -165,6 +165,36 @@ TEST_F(Sheets, EzdxfFindsNothingWrong) {
     }
 }
 
+/// A plate of 40 by 20 mm behind one of 10 by 10, seen from the front.
+TEST_F(Sheets, HatchesOfFillsHaveTheAreasOfTheParts) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("plates.obj", "v 0 0 0\nv 40 0 0\nv 40 20 0\nv 0 20 0\n"
+                        "v 5 5 1\nv 15 5 1\nv 15 15 1\nv 5 15 1\n"
+                        "o plate\nf 1 2 3 4\no cover\nf 5 6 7 8\n");
+    drawn("plates.obj", "a.dxf", "--scale 1:1 --fill flat --fill-color [1,0.5,0]");
+    write(
+        "hatches.py",
+        "import sys, ezdxf\n"
+        "drawing = ezdxf.readfile(sys.argv[1])\n"
+        "audit = drawing.audit()\n"
+        "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+        "def area(p): return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1])) / 2\n"
+        "for hatch in drawing.modelspace().query('HATCH'):\n"
+        "    size = abs(sum(area(path.vertices) for path in hatch.paths))\n"
+        "    print(hatch.dxf.layer, '%06x' % hatch.dxf.true_color,\n"
+        "          hatch.get_xdata('LINEATLAS')[-1].value, '%.2f' % size)\n");
+    const Result result = shell(python + path("hatches.py") + " " + path("a.dxf") + " 2>&1");
+    EXPECT_EQ(result.output, "fill ff8000 object plate 700.00\nfill ff8000 object cover 100.00\n");
+    const std::string svg =
+        drawn("plates.obj", "a.svg", "--scale 1:1 --fill flat --fill-color [1,0.5,0]");
+    EXPECT_NE(svg.find("<desc>object plate</desc>"), std::string::npos);
+    EXPECT_NE(svg.find("fill=\"#ff8000\""), std::string::npos);
+    const std::string pdf = drawn("plates.obj", "a.pdf", "");
+    EXPECT_GT(drawn("plates.obj", "a.pdf", "--fill flat").size(), pdf.size());
+    const std::string for_pen = drawn("plates.obj", "a.svg", "--fill flat --plotter");
+    EXPECT_EQ(for_pen.find("\"fill\""), std::string::npos);
+}
+
 TEST_F(Sheets, LibreCadOpensIt) {
     if (!is_installed("librecad") || !is_installed("pdftocairo"))
         GTEST_SKIP() << "librecad or poppler-utils is not installed";

@@ -19,6 +19,7 @@ PROGRAM = """
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <lineatlas/assembly.hpp>
 #include <lineatlas/camera_path.hpp>
+#include <lineatlas/fills.hpp>
 #include <lineatlas/io.hpp>
 #include <lineatlas/openmesh.hpp>
 #include <lineatlas/kernel_profile.hpp>

@@ -140,6 +140,7 @@ struct SeenLines {
     /// Outlines of the same lines, as LineVisibility::outlines() returns them; only a style with
     /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
+    std::vector<VectorFill> fills{}; ///< of a style that fills: find_fills() finds them
 };
 
 /// Finds what `camera` sees of lines. Hidden intervals are needed too, because a style may close

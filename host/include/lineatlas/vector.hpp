@@ -110,6 +110,16 @@ struct PenTravel {
     std::size_t paths_after = 0;  ///< number of paths after that
 };
 
+/// What is seen of one part in one colour: an area of the picture.
+struct VectorFill {
+    std::string object; ///< MeshGroup::object of the part; empty where it has no name
+    glm::vec3 color{0}; ///< RGB, 0 to 1, in steps of 1/255 as pictures have them
+    /// The area's borders, closed without repeating a point, pixels as of VectorPoint. The area is
+    /// to the same side of all of them, by the even-odd rule as by the nonzero one. Areas that
+    /// touch have the points of their common border in common, bit by bit.
+    std::vector<std::vector<glm::dvec2>> rings;
+};
+
 /// A drawing as paths, in the order in which they are drawn: hidden lines before visible ones, and
 /// within both by kind.
 struct VectorDrawing {
@@ -122,6 +132,8 @@ struct VectorDrawing {
     std::vector<VectorPath> paths;     ///< in the order in which they are drawn
     std::optional<PenTravel> travel{}; ///< of a drawing for a plotter, which has no thinned paths
     double thinned_share = 0;          ///< of the length of all lines: VectorPath::thinned
+    /// Under the lines, none over another: find_fills() finds them.
+    std::vector<VectorFill> fills{};
 };
 
 /// How intervals become paths.

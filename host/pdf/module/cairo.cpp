@@ -44,8 +44,7 @@ void set_color(cairo_t* context, glm::vec3 color, double opacity) {
     cairo_set_source_rgba(context, wide.x, wide.y, wide.z, opacity);
 }
 
-void draw(cairo_t* context, const Way& way) {
-    cairo_new_path(context);
+void add_path(cairo_t* context, const Way& way) {
     cairo_move_to(context, way.start.x, way.start.y);
     for (const Step& step : way.steps) {
         if (step.cubic) {
@@ -74,7 +73,39 @@ void draw(cairo_t* context, const Way& way) {
         cairo_restore(context);
     }
     if (way.closed) cairo_close_path(context);
+}
+
+void draw(cairo_t* context, const Way& way) {
+    cairo_new_path(context);
+    add_path(context, way);
     cairo_stroke(context);
+}
+
+void add_path(cairo_t* context, const Area& area) {
+    set_color(context, area.color, 1);
+    cairo_new_path(context);
+    for (const Way& border : area.borders) add_path(context, border);
+}
+
+/// Areas that touch leave no seam where pixels are mixtures: below them lie hairlines of their own
+/// colours in a PDF, and a picture has no mixtures there.
+void draw(cairo_t* context, const std::vector<Area>& areas, bool as_pixels) {
+    constexpr double hairline = 0.25; // points
+    cairo_set_line_width(context, hairline);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    for (const Area& area : areas) {
+        if (as_pixels) break;
+        add_path(context, area);
+        cairo_stroke(context);
+    }
+    const cairo_antialias_t usual = cairo_get_antialias(context);
+    if (as_pixels) cairo_set_antialias(context, CAIRO_ANTIALIAS_NONE);
+    cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
+    for (const Area& area : areas) {
+        add_path(context, area);
+        cairo_fill(context);
+    }
+    cairo_set_antialias(context, usual);
 }
 
 void draw(cairo_t* context, const Strokes& strokes) {
@@ -126,12 +157,13 @@ void set_font_options(cairo_t* context) {
     cairo_font_options_destroy(options);
 }
 
-void draw(cairo_t* context, const Page& page) {
+void draw(cairo_t* context, const Page& page, bool as_pixels) {
     set_font_options(context);
     if (page.background) {
         set_color(context, *page.background, 1);
         cairo_paint(context);
     }
+    draw(context, page.areas, as_pixels);
     for (const Strokes& strokes : page.strokes) draw(context, strokes);
     for (const Text& text : page.texts) draw(context, text);
 }
@@ -153,7 +185,7 @@ std::string write(const Page& page) {
     // Without a date the same drawing gives the same file at any time.
     describe(CAIRO_PDF_METADATA_CREATE_DATE, "");
     const Context context{cairo_create(surface.get())};
-    draw(context.get(), page);
+    draw(context.get(), page, false);
     cairo_show_page(context.get());
     check(cairo_status(context.get()));
     cairo_surface_finish(surface.get());
@@ -194,7 +226,7 @@ Pixels paint(const Page& page, double scale) {
     check(cairo_surface_status(surface.get()));
     const Context context{cairo_create(surface.get())};
     cairo_scale(context.get(), scale, scale);
-    draw(context.get(), page);
+    draw(context.get(), page, true);
     check(cairo_status(context.get()));
     return pixels_of(surface.get());
 }
@@ -202,5 +234,5 @@ Pixels paint(const Page& page, double scale) {
 } // namespace
 } // namespace lineatlas::pdf
 
-extern "C" const lineatlas::pdf::Module lineatlas_pdf_3{.write = lineatlas::pdf::write,
+extern "C" const lineatlas::pdf::Module lineatlas_pdf_4{.write = lineatlas::pdf::write,
                                                         .paint = lineatlas::pdf::paint};

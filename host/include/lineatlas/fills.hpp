@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "lineatlas/camera.hpp"
+#include "lineatlas/device_options.hpp"
+#include "lineatlas/export.hpp"
+#include "lineatlas/lines.hpp"
+#include "lineatlas/progress.hpp"
+#include "lineatlas/style.hpp"
+#include "lineatlas/vector.hpp"
+
+/// @file
+/// Fills of drawings as paths: what of each part is seen in which colour.
+
+namespace lineatlas {
+
+/// Returns the areas that `camera` sees of the triangles of a line set, one for each part and
+/// colour: VectorDrawing::fills. Colours are those of pictures, for `fill` and for the colours of
+/// LineSet::colors. The areas cover what the triangles cover, without gaps, and do not overlap;
+/// their borders are where edges of the triangles and LineKind::intersection lines are seen, to
+/// 0.002 pixels. Empty for FillMode::none. Throws as LineVisibility and its find() do, and
+/// UsageError for a fill that no style can have.
+LINEATLAS_API std::vector<VectorFill> find_fills(const LineSet& lines, const Camera& camera,
+                                                 const Fill& fill, const DeviceOptions& device = {},
+                                                 const Progress& progress = {});
+
+} // namespace lineatlas
