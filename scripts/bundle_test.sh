@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 "$root/scripts/bundle.sh" "$folder/made"
 mv "$folder/made" "$folder/moved"
 cd "$folder"
-parts=(devices draw sharing_modes_test "interop copy" "frames clevis" pictures_test)
+parts=(devices picture sharing_modes_test "interop copy" "frames clevis" pictures_test)
 status=0
 env -i PATH="$PATH" HOME="$HOME" moved/check "${parts[@]/#/--part=}" || status=$?
 python3 - "${#parts[@]}" <<'END' || status=$?

@@ -15,6 +15,7 @@
 #include "machine.hpp"
 #include "markdown.hpp"
 #include "report.hpp"
+#include "scan.hpp"
 
 namespace lineatlas::bench {
 namespace {
@@ -40,7 +41,7 @@ struct Options {
 };
 
 /// Runs one part and adds what came of it. False if it failed.
-bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& report) {
+bool run_part(Part part, Clock::time_point end, const Places& places, Json& report) {
     const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
     part.limit = std::min(part.limit, left);
     fmt::print("{:<24}", part.name);
@@ -50,7 +51,7 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
         report["parts"].push_back({{"name", part.name}, {"outcome", "left out"}});
         return false;
     }
-    const fs::path written = scratch / "part";
+    const fs::path written = places.scratch / "part";
     fs::remove(written);
     if (part.kind != PartKind::output) part.arguments.push_back(output_option(part.kind, written));
     ChildResult result;
@@ -66,6 +67,9 @@ bool run_part(Part part, Clock::time_point end, const fs::path& scratch, Json& r
         fmt::print("\n{}", result.output);
     }
     report["parts"].push_back(describe_part(part, result, written));
+    if (!part.picture.empty() && fs::exists(places.pictures / part.picture))
+        report["parts"].back()["picture"] =
+            (places.pictures.filename() / part.picture).generic_string();
     fmt::print("{}, {:.1f} s\n", outcome(part, result), result.took.count());
     return outcome(part, result) == "ok";
 }
@@ -75,16 +79,21 @@ bool check(const Options& options) {
     const fs::path markdown = fs::path{json}.replace_extension(".md");
     fs::current_path(options.bundle); // where tests look for files
     const Scratch scratch;
+    const Places places{.scratch = scratch.folder,
+                        .pictures = json.parent_path() / (json.stem().string() + "-pictures"),
+                        .scan = scratch.folder / "scan.obj"};
+    fs::create_directories(places.pictures);
+    write_scan(places.scan);
     const auto end = Clock::now() + std::chrono::minutes{options.minutes};
     Json report{{"machine", describe_machine()}, {"parts", Json::array()}};
     bool all = true;
-    for (Part part : all_parts(scratch.folder)) {
+    for (Part part : all_parts(places)) {
         if (!options.parts.empty() &&
             std::ranges::find(options.parts, part.name) == options.parts.end()) {
             continue;
         }
         part.limit = std::min(part.limit, std::chrono::seconds{options.limit});
-        all = run_part(part, end, scratch.folder, report) && all;
+        all = run_part(part, end, places, report) && all;
         write_report(json, report); // again after each, so that nothing is lost
         write_markdown(markdown, report);
     }

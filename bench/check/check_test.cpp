@@ -70,7 +70,7 @@ TEST_F(Check, SurvivesPartsThatFailCrashOrAreMissing) {
     EXPECT_EQ(part("sharing_modes_test")["output"], "boom\n");
     EXPECT_EQ(part("interop copy")["outcome"], "crashed (Segmentation fault)");
     EXPECT_NE(part("compute_test")["outcome"], "ok") << "it is not there";
-    EXPECT_EQ(result()["parts"].size(), 21U);
+    EXPECT_EQ(result()["parts"].size(), 24U);
     EXPECT_NE(markdown().find("| interop copy | crashed (Segmentation fault) |"),
               std::string::npos);
 }
@@ -126,6 +126,27 @@ END)");
          {"| ship | SAhi | 2 | 0.75 | depth 0.5, atlas 0.125 |", "| one | copy | 64 | 0.25 | 0.5 |",
           "| scan/ours | 87 | 400 | 0.5 |", "| frames ship | ok |"})
         EXPECT_NE(text.find(row), std::string::npos) << row << " in " << text;
+}
+
+TEST_F(Check, ShowsPicturesOfADeviceAndOfCppBesideEachOther) {
+    script("bin/lineatlas", R"(test "$1" = draw || exit 0
+model=$4
+while [ "$1" != -o ]; do shift; done
+echo "$model" > "$2")");
+    EXPECT_EQ(run("--part picture --part 'picture cpp' --part scan --part 'scan cpp'"), 0);
+    const std::string text = markdown();
+    for (const char* row :
+         {"| ![picture](out-pictures/picture-device.png) | "
+          "![picture cpp](out-pictures/picture-cpp.png) |",
+          "| ![scan](out-pictures/scan-device.png) | ![scan cpp](out-pictures/scan-cpp.png) |"})
+        EXPECT_NE(text.find(row), std::string::npos) << row << " in " << text;
+    EXPECT_TRUE(fs::exists(folder_ / "out-pictures" / "scan-cpp.png"));
+}
+
+TEST_F(Check, LeavesOutAPictureThatWasNotDrawn) {
+    script("bin/lineatlas", "exit 4");
+    EXPECT_EQ(run("--part picture"), 1);
+    EXPECT_EQ(markdown().find("!["), std::string::npos);
 }
 
 TEST_F(Check, EndsAPartThatHangs) {

@@ -151,6 +151,30 @@ void add_kernels(Document& document, const Json& parts) {
     }
 }
 
+/// Those of one model beside each other.
+void add_pictures(Document& document, const Json& parts) {
+    std::vector<std::string> names, pictures;
+    const auto end_row = [&] {
+        if (names.empty()) return;
+        document.line("");
+        document.table(names);
+        document.row(pictures);
+        names.clear();
+        pictures.clear();
+    };
+    bool any = false;
+    for (const Json& part : parts) {
+        const std::string name = text_of(part, "name"), picture = text_of(part, "picture");
+        if (picture.empty()) continue;
+        if (!any) document.heading("Pictures: by the machine's device, and by C++");
+        any = true;
+        if (!names.empty() && !name.starts_with(names.front())) end_row();
+        names.push_back(name);
+        pictures.push_back(fmt::format("![{}]({})", name, picture));
+    }
+    end_row();
+}
+
 void add_output(Document& document, const Json& parts) {
     for (const Json& part : parts) {
         if (!part.contains("output") || text_of(part, "output").empty()) continue;
@@ -169,6 +193,7 @@ void write_markdown(const std::filesystem::path& path, const Json& report) {
     add_frames(document, parts);
     add_interop(document, parts);
     add_kernels(document, parts);
+    add_pictures(document, parts);
     add_output(document, parts);
     AtomicFile{path}.commit(
         {reinterpret_cast<const unsigned char*>(document.text.data()), document.text.size()});

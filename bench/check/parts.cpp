@@ -9,7 +9,7 @@ std::string output_option(PartKind kind, const std::filesystem::path& file) {
     return kind == PartKind::tests ? "--gtest_output=xml:" + name : "--json=" + name;
 }
 
-std::vector<Part> all_parts(const std::filesystem::path& scratch) {
+std::vector<Part> all_parts(const Places& places) {
     const auto test = [](const std::string& name, seconds limit, const std::string& filter = "*") {
         return Part{name, PartKind::tests, "tests/" + name, {"--gtest_filter=" + filter}, limit};
     };
@@ -30,13 +30,30 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
             {"--scenes", scene, "--methods", "OGL", "SAlo", "SAhi", "EX", "--frames", "10"},
             seconds{100});
     };
-    const std::string picture = (scratch / "ship.png").string();
     const auto drawn = [&](const std::string& name, const std::vector<std::string>& options,
                            seconds limit) {
-        std::vector<std::string> arguments{"draw", "--scene", "ship", "-o", picture};
+        std::vector<std::string> arguments{"draw", "--scene", "ship", "-o",
+                                           (places.scratch / "ship.png").string()};
         arguments.insert(arguments.end(), options.begin(), options.end());
         return Part{name, PartKind::output, "bin/lineatlas", std::move(arguments), limit};
     };
+    // For the report, by the machine's own device and beside it by C++.
+    const auto picture = [&](const std::string& of, const std::vector<std::string>& model,
+                             const std::string& device) {
+        const std::string file = of + "-" + (device.empty() ? "device" : device) + ".png";
+        std::vector<std::string> arguments{"draw", "-o", (places.pictures / file).string()};
+        arguments.insert(arguments.end(), model.begin(), model.end());
+        if (!device.empty()) arguments.insert(arguments.end(), {"--compute", device});
+        return Part{device.empty() ? of : of + " " + device,
+                    PartKind::output,
+                    "bin/lineatlas",
+                    std::move(arguments),
+                    seconds{60},
+                    file};
+    };
+    const std::vector<std::string> ship{"--scene", "ship"};
+    const std::vector<std::string> contours{
+        places.scan.string(), "--up", "z", "--silhouettes", "smooth", "--lines", "silhouette"};
     // Every kernel's tables, beside those of C++. Smooth silhouettes are what scans have.
     const auto compared = [&](const std::string& method) {
         return drawn("compared " + method,
@@ -53,13 +70,16 @@ std::vector<Part> all_parts(const std::filesystem::path& scratch) {
     };
     return {
         {"devices", PartKind::devices, "bin/lineatlas", {"devices", "--wait", "15"}, seconds{100}},
-        drawn("draw", {}, seconds{60}),
+        picture("picture", ship, ""),
         compared("atlas"),
         compared("exact"),
         frames("ship"),
         frames("office"),
         frames("clevis"),
         frames("house"),
+        picture("picture", ship, "cpp"),
+        picture("scan", contours, ""),
+        picture("scan", contours, "cpp"),
         profiled("atlas", "raster", "raster"),
         profiled("atlas", "compute", "raster"),
         profiled("atlas", "compute", "compute"),

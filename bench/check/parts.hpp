@@ -18,6 +18,14 @@ struct Part {
     std::string program; ///< seen from the bundle
     std::vector<std::string> arguments;
     std::chrono::seconds limit;
+    std::string picture{}; ///< that it leaves in Places::pictures; "": none
+};
+
+/// Absolute paths.
+struct Places {
+    std::filesystem::path scratch;  ///< a folder that goes when the check ends
+    std::filesystem::path pictures; ///< where pictures for the report go
+    std::filesystem::path scan;     ///< the model of write_scan()
 };
 
 /// The option that makes the part write its figures as JSON, or its tests' results as XML: the JSON
@@ -25,6 +33,6 @@ struct Part {
 std::string output_option(PartKind kind, const std::filesystem::path& file);
 
 /// All parts, what is needed most first: the last ones are left out if time runs out.
-std::vector<Part> all_parts(const std::filesystem::path& scratch);
+std::vector<Part> all_parts(const Places& places);
 
 } // namespace lineatlas::bench
