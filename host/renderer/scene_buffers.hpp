@@ -78,6 +78,7 @@ class SceneBuffers {
         sharing_ = &sharing;
         tables_ = std::move(tables);
         normals_.forget();
+        gl_normals_ = {}; // versions are counted anew
         select(0);
         moved_ = tables_.moving != nullptr;
     }
