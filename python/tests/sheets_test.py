@@ -48,7 +48,7 @@ class Sheets(FolderTest):
         style = lineatlas.Style("technical", fill="flat", fill_color="#ff8000")
         with lineatlas.Renderer(mesh) as renderer:
             sheet = renderer.to_sheet(style=style, views="front,top")
-            self.assertEqual(re.findall('id="(.*-fill)"', sheet), ["front-fill", "top-fill"])
+            self.assertEqual(re.findall('id="([^"]*-fill)"', sheet), ["front-fill", "top-fill"])
             (fill,) = json.loads(renderer.to_json(style=style))["fills"]
             self.assertEqual((fill["color"], len(fill["rings"])), ("#ff8000", 1))
             self.assertEqual(len(fill["rings"][0]), 6)  # a box in perspective has six corners
