@@ -9,6 +9,7 @@
 #include "core/check_lines.hpp"
 #include "core/depth_tolerance.hpp"
 #include "core/line_pens.hpp"
+#include "corners.hpp"
 #include "curves.hpp"
 #include "fair.hpp"
 #include "halos.hpp"
@@ -146,6 +147,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     const glm::dvec2 picture{camera.size};
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
+    hide_beyond_corners(lines, camera, pieces);
     meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
