@@ -75,7 +75,9 @@ struct VectorCurve {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
     std::uint32_t first = 0;                          ///< it begins at this point of the path,
     std::uint32_t last = 0; ///< and ends at this one; the points between lie on it
-    VectorArc arc{};        ///< the file's curve (Mesh::edge_curves) on the screen; pixels
+    /// The file's curve (Mesh::edge_curves), or the circle that a mesh was cut from, on the screen;
+    /// pixels.
+    VectorArc arc{};
     /// Set if the curve is no arc, and used in place of it: a cubic through the points, within a
     /// tenth of a pixel of every chord's curve.
     std::optional<VectorCubic> cubic{};
@@ -139,7 +141,7 @@ struct VectorDrawing {
 /// How intervals become paths.
 struct VectorOptions {
     /// The mesh that the lines were extracted from: pieces then know their object and material, and
-    /// paths their curves.
+    /// paths their curves, those of circles that the mesh was cut from, too.
     const Mesh* mesh = nullptr;
     /// Outlines that LineVisibility::outlines() or Renderer::read_outlines() found with the
     /// intervals; only a style with pens for outlines needs them.
