@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "constants.h"
+#include "shared/constants.h"
 
 namespace lineatlas {
 namespace {
