@@ -15,9 +15,13 @@ KernelFolder::WriteTimes KernelFolder::look() const {
     WriteTimes times;
     if (!is_set()) return times;
     std::error_code failure; // of a file that has just gone
-    for (const auto& entry : std::filesystem::recursive_directory_iterator{folder_, failure}) {
-        const auto time = entry.last_write_time(failure);
-        if (!failure) times.emplace(entry.path(), time);
+    using Files = std::filesystem::recursive_directory_iterator;
+    constexpr auto readable = std::filesystem::directory_options::skip_permission_denied;
+    for (Files file{folder_, readable, failure}; !failure && file != Files{};
+         file.increment(failure)) {
+        std::error_code gone;
+        const auto time = file->last_write_time(gone);
+        if (!gone) times.emplace(file->path(), time);
     }
     return times;
 }

@@ -80,12 +80,6 @@ void Session::make_renderer() {
     });
 }
 
-/// One that has nothing yet of the models before.
-void Session::renew_renderer() {
-    make_renderer();
-    load_pens(settings.style);
-}
-
 std::string Session::describe_device() const {
     const std::string note = renderer_->note();
     return renderer_->description() + (note.empty() ? "" : "; " + note);
@@ -170,8 +164,7 @@ void Session::look_at_file() {
 
 void Session::look_at_kernels() {
     if (!kernels_.has_changed()) return;
-    use_device(device_);
-    messages.notice("Kernels are built again");
+    if (use_device(device_)) messages.notice("Kernels are built again");
 }
 
 bool Session::has_files_to_look_at() const {
@@ -232,8 +225,10 @@ void Session::use_style(const std::string& name) {
     });
 }
 
-void Session::use_device(const DeviceOptions& device) {
-    attempt([&] {
+bool Session::use_device(const DeviceOptions& device) {
+    drawing_.wait();
+    take_picture(); // which is of the device before
+    return attempt([&] {
         drawing_.run([&] {
             renderer_->set_device(device);
             sketch_.reset();
@@ -250,13 +245,13 @@ void Session::use_device(const DeviceOptions& device) {
 void Session::show(std::shared_ptr<Model> model) {
     const std::shared_ptr<Model> before = model_;
     const bool done = attempt([&] {
-        if (is_much_smaller(model->lines, before.get())) renew_renderer();
         drawing_.run([&] { renderer_->set_lines(model->lines); });
         model_ = model;
         sketched_.reset();
     });
     if (!done) return;
     const bool new_parts = before == nullptr || before->whole != model_->whole;
+    if (new_parts && is_much_smaller(model_->lines, before.get())) use_device(device_);
     if (new_parts) {
         for (const std::filesystem::path& file : model_->source.files) recent.add(file);
         read_times_ = write_times_of(model_->source.files);

@@ -112,7 +112,8 @@ class Session {
 
     /// Takes a style by its name or path; empty: plain lines.
     void use_style(const std::string& name);
-    void use_device(const DeviceOptions& device);
+    /// Whether it could.
+    bool use_device(const DeviceOptions& device);
     const DeviceOptions& device() const { return device_; }
     /// With a line of what is not as one may expect.
     const std::string& device_description() const { return description_; }
@@ -253,9 +254,9 @@ class Session {
         bool split = false;                    ///< there are two
         Economy economy = Economy::none;
         bool refined = false;
-        bool stays = false;             ///< nothing is drawn: what there is stays
-        bool tells_pace = false;        ///< it is drawn as those of a movement are
-        std::optional<Camera> sketch{}; ///< from where one is to be made
+        bool stays = false;      ///< nothing is drawn: what there is stays
+        bool tells_pace = false; ///< it is drawn as those of a movement are
+        bool renews_sketch = false;
         std::shared_ptr<const Model> model{};
         Canvases canvases{};
         FrameStats stats{};
@@ -270,7 +271,6 @@ class Session {
     bool sketch_due() const;
     void renew_sketch(const Picture& picture);
     void make_renderer();
-    void renew_renderer();
     bool attempt(const std::function<void()>& action);
     std::string describe_device() const;
 
@@ -327,8 +327,9 @@ class Session {
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false;
-    double wanted_rest_ = 0; ///< seconds since what is to be shown was changed
-    Shown wanted_{};         ///< as it was then
+    bool refine_failed_ = false; ///< the exact picture of this view, which is not tried again
+    double wanted_rest_ = 0;     ///< seconds since what is to be shown was changed
+    Shown wanted_{};             ///< as it was then
     int timings_due_ = 0;
     std::uint64_t frames_drawn_ = 0;
 };

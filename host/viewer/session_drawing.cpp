@@ -77,12 +77,11 @@ void Session::draw() {
     const bool has_sketch = sketch_ != nullptr && sketched_;
     const Economy suits = pace_.choose(frame_options(settings, 0), has_sketch);
     picture->economy = moving_ ? suits : Economy::none;
+    if (!rests) refine_failed_ = false;
     if (rests && sketch_due()) {
         sketched_ = navigation.view(); // a sketch that fails is not tried again
-        picture->sketch = camera();
+        picture->renews_sketch = true;
     }
-    picture->camera =
-        make_camera(navigation.view(), in_pixels_of(picture->economy, size_), model_->lines.bounds);
     for (std::size_t side = 0; side < picture->options.size(); ++side) {
         FrameOptions& options = picture->options.at(side) = frame_options(settings, side);
         save_time(options, picture->economy, size_);
@@ -98,7 +97,9 @@ void Session::draw() {
 void Session::draw_picture(Picture& picture) {
     const auto start = std::chrono::steady_clock::now();
     try {
-        if (picture.sketch) renew_sketch(picture);
+        picture.camera = make_camera(picture.view, in_pixels_of(picture.economy, picture.window),
+                                     picture.model->lines.bounds);
+        if (picture.renews_sketch) renew_sketch(picture);
         if (!picture.split) picture.canvases[1].reset();
         if (picture.refined) {
             draw_refined(picture);
@@ -146,7 +147,9 @@ void Session::draw_refined(Picture& picture) {
 void Session::renew_sketch(const Picture& picture) {
     try {
         constexpr float shortest = 25; // pixels of the window
-        const LineSet lines = long_lines(picture.model->lines, *picture.sketch, shortest);
+        const Camera window =
+            make_camera(picture.view, picture.window, picture.model->lines.bounds);
+        const LineSet lines = long_lines(picture.model->lines, window, shortest);
         if (sketch_ == nullptr) sketch_ = std::make_unique<Renderer>(device_);
         sketch_->set_lines(lines);
         // The first picture makes kernels, shaders and tables. No movement should wait for them.
@@ -165,10 +168,11 @@ bool Session::take_picture(std::chrono::milliseconds longest) {
     if (picture_ == nullptr || !drawing_.wait_for(longest)) return false;
     const std::unique_ptr<Picture> done = std::move(picture_);
     ++frames_drawn_;
-    if (done->options[0].profile) ++timings_due_;
     if (done->failure) attempt([&] { std::rethrow_exception(done->failure); });
+    refine_failed_ = done->failure && done->refined;
     if (!done->description.empty()) description_ = done->description;
     if (!done->failure && !done->interrupted && !done->stays) {
+        if (done->options[0].profile) ++timings_due_;
         std::swap(shown_, *done);
         if (shown_.tells_pace) pace_.note(shown_.economy, shown_.seconds);
     }
@@ -183,7 +187,7 @@ bool Session::refining() const {
 bool Session::can_refine() const {
     if (model_ == nullptr || drawing() || stale() || navigation.gliding() || !drawn_view_)
         return false;
-    return (is_refined(settings) && !refined()) || sketch_due();
+    return (is_refined(settings) && !refined() && !refine_failed_) || sketch_due();
 }
 
 /// Whether movements need a sketch that does not exist or was made for another distance.

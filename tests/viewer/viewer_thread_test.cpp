@@ -119,10 +119,10 @@ TEST_F(HeldViewer, TheWindowAnswersWhileAPictureIsDrawn) {
 TEST_F(HeldViewer, WhatMovesMeanwhileKeepsAPictureFromBecomingExact) {
     session().settings.exact_at_rest = true;
     session().changed();
-    step_until([&] {
-        HeldDevice::held = session().refining();
-        return session().drawing() && session().refining();
-    });
+    hand_.rest();
+    HeldDevice::held = true;
+    session().refine();
+    step_until([&] { return session().drawing() && session().refining(); });
     const auto sampled = picture();
     session().navigation.orbit({0, 0, 0}, {0.01, 0});
     app_.step(0);
