@@ -1,6 +1,7 @@
 #include "drawer.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,6 +34,9 @@ Mesh mesh_beside(const Model& part, const Model& other) {
     const glm::dvec3 shift = glm::dvec3{x, y, z} - glm::dvec3{other_x, other_y, other_z};
     if (shift == glm::dvec3{0}) return mesh;
     for (glm::vec3& position : mesh.positions) position = glm::dvec3{position} + shift;
+    for (PlacedSurface& surface : mesh.surfaces.surfaces) surface.model_from_shape[3] += shift;
+    for (std::optional<EdgeCurve>& curve : mesh.edge_curves)
+        if (curve) curve->center += shift;
     return mesh;
 }
 
