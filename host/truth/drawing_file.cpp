@@ -18,6 +18,7 @@
 #include "io/extension.hpp"
 #include "io/source_file.hpp"
 #include "svg_path.hpp"
+#include "vector/outline.hpp"
 #include "vector/sheet.hpp"
 
 namespace lineatlas {
@@ -81,6 +82,11 @@ Sheet sheet_of(const DrawingFile& drawing, const std::filesystem::path& path) tr
 /// The kind of line that rays do not check.
 constexpr std::string_view centre = line_kind_names[LA_KIND_CENTRE];
 
+/// Whether a group of paths has visible lines, by its class.
+bool has_visible_lines(std::string_view group) {
+    return group != fill_layer && !group.ends_with("hidden") && !group.starts_with(centre);
+}
+
 DrawingFile of_svg(const SourceFile& file) {
     pugi::xml_document document;
     if (!document.load_buffer(file.bytes.data(), file.bytes.size()))
@@ -93,8 +99,7 @@ DrawingFile of_svg(const SourceFile& file) {
     if (!svg || !is_picture(drawing.size)) throw read_error(file.path, not_ours);
     const Sheet sheet = sheet_of(drawing, file.path);
     for (const pugi::xml_node group : svg.children("g")) {
-        const std::string_view what = group.attribute("class").value();
-        if (what.ends_with("hidden") || what.starts_with(centre)) continue;
+        if (!has_visible_lines(group.attribute("class").value())) continue;
         for (const pugi::xml_node path : group.children("path")) {
             const auto lines = parse_path(path.attribute("d").value());
             if (!lines) throw read_error(file.path, not_ours);

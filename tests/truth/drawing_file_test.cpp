@@ -76,6 +76,20 @@ TEST_F(DrawingFileTest, SvgIsReadInPixelsWhateverItsPage) {
     expect_legs(through("c.svg", to_svg(drawing_, in_inches)), 0.02);
 }
 
+/// Borders of fills are no lines.
+TEST_F(DrawingFileTest, FillsAreLeftOut) {
+    drawing_.fills = {{.object = "door",
+                       .color = {1, 0.5F, 0},
+                       .rings = {{{20, 30}, {300, 30}, {300, 190}, {20, 190}}}}};
+    const std::string svg = to_svg(drawing_, {.description = "draw a.obj"});
+    ASSERT_NE(svg.find("class=\"fill\""), std::string::npos);
+    for (const DrawingFile& file :
+         {through("a.svg", svg), through("a.json", to_json(drawing_, {}))}) {
+        expect_legs(file, 0.006);
+        EXPECT_EQ(file.path_ends, (std::vector<std::size_t>{3, 4}));
+    }
+}
+
 TEST_F(DrawingFileTest, JsonHasTags) {
     const DrawingFile file = through("a.json", to_json(drawing_, {.description = "draw a.obj"}));
     EXPECT_EQ(file.size, (glm::ivec2{640, 480}));
