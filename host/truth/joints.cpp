@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,6 +20,10 @@ constexpr double rounding = 0.02;
 struct End {
     glm::dvec2 at;
     std::uint32_t path;
+    bool is_last; ///< of its path's two ends
+
+    /// Tells all ends apart, so that every library sorts them alike.
+    auto order() const { return std::tuple{at.x, at.y, path, is_last}; }
 };
 
 /// Where the paths of a drawing are.
@@ -76,11 +81,12 @@ std::vector<Gap> gaps_of(const DrawnLines& drawn, glm::ivec2 picture) {
     for (std::uint32_t path = 0; path < drawn.path_ends.size(); ++path) {
         const std::size_t end = drawn.path_ends[path];
         if (first < end && drawn.legs[first].from != drawn.legs[end - 1].to)
-            for (const glm::dvec2 at : {drawn.legs[first].from, drawn.legs[end - 1].to})
-                if (const End one{at, path}; !paths.meets_another(one)) loose.push_back(one);
+            for (const End& one : {End{drawn.legs[first].from, path, false},
+                                   End{drawn.legs[end - 1].to, path, true}})
+                if (!paths.meets_another(one)) loose.push_back(one);
         first = end;
     }
-    std::ranges::sort(loose, {}, [](const End& end) { return end.at.x; });
+    std::ranges::sort(loose, {}, &End::order);
     const std::vector<std::size_t> nearest = nearest_of(loose);
     std::vector<Gap> gaps;
     for (std::size_t i = 0; i < loose.size(); ++i)
