@@ -22,7 +22,8 @@ constexpr double most_turn = 15.1 * degree; ///< of 24 chords, and rounding
 constexpr double straight = 0.01 * degree;  ///< chords of a circle turn by more
 constexpr double least_sweep = 30 * degree;
 constexpr std::size_t fewest_chords = 4;
-constexpr double most_off = 5e-4; ///< of the radius
+constexpr std::size_t most_at_vertex = 16; ///< chords that a vertex over which one goes on may have
+constexpr double most_off = 5e-4;          ///< of the radius
 
 constexpr LineKindMask kinds = mask_of(LineKind::crease) | mask_of(LineKind::boundary) |
                                mask_of(LineKind::material) | mask_of(LineKind::file) |
@@ -66,8 +67,11 @@ class Graph {
         return (mask_of(kind) & kinds) != 0 && segment.p != segment.q;
     }
 
+    /// Each chord at a vertex is compared with all others there. The tip of a fan of many chords
+    /// would cost the square of their number, so no chord goes on over it.
     std::optional<std::uint32_t> after(std::uint32_t segment, std::uint32_t end) const {
         const auto here = std::span{at_}.subspan(first_[end], first_[end + 1] - first_[end]);
+        if (here.size() > most_at_vertex) return {};
         const glm::dvec3 way = place(end) - place(other_end(segment, end));
         for (const std::uint32_t other : here) {
             const glm::dvec3 on = place(other_end(other, end)) - place(end);
@@ -305,8 +309,8 @@ class ArcsOfChain {
                    angle > 0 && angle < whole;
         };
         if (const auto before = beside(arc, false, 1); before && is_part(*before)) {
-            if (*before > arc.first) arc.end += count_; // once round
-            arc.first = *before;
+            if (arc.first == 0) arc.end += count_; // once round
+            arc.first = arc.first == 0 ? count_ - 1 : arc.first - 1;
         }
         if (const auto behind = beside(arc, true, 1); behind && is_part(*behind)) ++arc.end;
     }

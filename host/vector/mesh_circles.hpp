@@ -16,6 +16,7 @@ namespace lineatlas {
 /// of fewer than 24 corners stay polygons: an arc over a chord of theirs would reach beyond the
 /// outlines that end at its corners, by more than one percent of the radius. A corner at which
 /// another line of the model ends is the end of an arc. Several segments in a row may be one chord.
+/// A vertex at which more than 16 segments meet is the end of a chord.
 /// If chords before or behind go on to bend as an arc does, the arc is a part of a curve of another
 /// kind, and left out.
 class MeshCircles {

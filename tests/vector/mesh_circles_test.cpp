@@ -147,6 +147,41 @@ TEST(MeshCircles, OtherCurvesAreNone) {
     EXPECT_TRUE(MeshCircles{lines_of(uneven, true).set}.empty());
 }
 
+/// Whether both ends of a segment are on its circle.
+bool is_on_its_circle(const LineSet& lines, std::uint32_t segment, const MeshCircles& circles) {
+    const EdgeCurve& circle = circles.circle(circles.circle_of(segment));
+    const double radius = glm::length(circle.u);
+    const auto is_on = [&](std::uint32_t end) {
+        const glm::dvec3 at{lines.vertices[end]};
+        return std::abs(glm::distance(at, circle.center) - radius) < 0.001 * radius;
+    };
+    return is_on(lines.segments[segment].p) && is_on(lines.segments[segment].q);
+}
+
+/// Half a circle or ellipse on its base line, from any of its segments on.
+TEST(MeshCircles, ArcsKeepToTheirCircles) {
+    for (const auto& [height, chords] : {std::pair{1.0, 48U}, std::pair{0.8, 0U}}) {
+        std::vector<glm::vec3> loop;
+        for (int k = 0; k <= 48; ++k)
+            loop.emplace_back(std::cos(k * pi / 48), height * std::sin(k * pi / 48), 0);
+        for (std::size_t start = 0; start < loop.size(); ++start) {
+            SCOPED_TRACE(start);
+            const Lines lines = lines_of(loop, true);
+            const MeshCircles circles{lines.set};
+            std::uint32_t found = 0;
+            for (std::uint32_t i = 0; i < loop.size(); ++i) {
+                if (circles.circle_of(i) == MeshCircles::none) continue;
+                ++found;
+                EXPECT_TRUE(is_on_its_circle(lines.set, i, circles)) << i;
+            }
+            EXPECT_EQ(found, chords);
+            const auto base = static_cast<std::uint32_t>(loop.size() - 1 - start);
+            EXPECT_EQ(circles.circle_of(base), MeshCircles::none);
+            std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+        }
+    }
+}
+
 /// A plate with round corners, from any of its own on.
 TEST(MeshCircles, RoundCornersAreArcsBetweenLines) {
     std::vector<glm::vec3> plate;
@@ -199,6 +234,39 @@ TEST(MeshCircles, SeveralSegmentsMayBeOneChord) {
     ASSERT_EQ(curves_of(drawing), 1U);
     EXPECT_NEAR(sweep_of(drawing), 2 * pi, 1e-12);
     EXPECT_EQ(test::flaws_of(drawing), "");
+}
+
+/// Lines that end at the middle of a chord leave it whole, up to 14: with its halves 16 meet there.
+TEST(MeshCircles, NoChordGoesOnOverTheTipOfAFan) {
+    std::vector<glm::vec3> points = corners(5, 0, 5 * pi / 12);
+    const glm::vec3 middle = 0.5F * (points[2] + points[3]);
+    points.insert(points.begin() + 3, middle);
+    for (const auto& [spokes, circles] : {std::pair{14, true}, std::pair{15, false}}) {
+        Lines lines = lines_of(points, false);
+        for (int i = 0; i < spokes; ++i)
+            lines.add(LineKind::crease, {middle, middle + glm::vec3{i, 1, 9}});
+        EXPECT_EQ(MeshCircles{lines.set}.empty(), !circles) << spokes;
+    }
+}
+
+/// Its cost is not the square of its lines.
+TEST(MeshCircles, AFanOfManyLinesHasNone) {
+    constexpr std::uint32_t count = 20'000;
+    LineSet fan;
+    fan.vertices.emplace_back(0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double turn = 2 * pi * i / count;
+        fan.vertices.emplace_back(std::cos(turn), std::sin(turn), 0);
+        fan.segments.push_back({.p = 0,
+                                .q = i + 1,
+                                .face_a = LA_NO_FACE,
+                                .face_b = LA_NO_FACE,
+                                .from_start = 0,
+                                .to_end = 0,
+                                .path = i,
+                                .tag = LA_KIND_CREASE});
+    }
+    EXPECT_TRUE(MeshCircles{fan}.empty());
 }
 
 /// What is seen of a chord ends where it did, and is straight.
