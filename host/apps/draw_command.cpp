@@ -316,6 +316,12 @@ void forget_sources(Subject& subject) {
         *sources = std::vector<std::uint32_t>{};
 }
 
+/// A style about the origin of the mesh. Its focus in the scene is given in the file's coordinates.
+Style about_origin(Style style, glm::dvec3 origin) {
+    if (style.focus.in_scene) style.focus.point -= origin;
+    return style;
+}
+
 void draw(const DrawArguments& arguments, const CLI::App& app) {
     const FrameSettings settings = frame_settings_of(arguments);
     check_arguments(arguments, settings);
@@ -325,7 +331,6 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const Style given = arguments.style.style();
     const Style style = by_paths ? arguments.paths.on_paper(given, size) : given;
     FrameOptions options = frame_options(arguments, settings, size);
-    options.style = style;
     // Paths need no writer and none of its libraries.
     std::optional<ImageWriter> writer;
     if (!by_paths) writer.emplace(arguments.output); // made before anything starts a thread
@@ -333,6 +338,7 @@ void draw(const DrawArguments& arguments, const CLI::App& app) {
     const OutputPlaces places = output_places(arguments, pen_images);
 
     auto [subject, frames] = find_pictures(arguments, drawn_kinds(options.lines, style), size);
+    options.style = about_origin(style, subject.origin);
     print_notes(subject.notes);
     if (!style.pens.empty()) print_notes(idle_rules(line_classes(subject.lines), style));
     if (!by_paths) forget_sources(subject);

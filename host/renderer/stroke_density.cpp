@@ -16,7 +16,7 @@ glm::vec4 focus_on_screen(const Frame& frame) {
     if (!focus.in_scene) {
         return {glm::vec2{focus.point} * size, focus.radius * size.y, focus.falloff * size.y};
     }
-    const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{focus.point, 1};
+    const glm::vec4 clip = frame.camera.clip_from_world() * glm::vec4{glm::vec3{focus.point}, 1};
     const float w = std::max(clip.w, 1e-6F);
     const glm::vec2 centre = (glm::vec2{clip} / w + 1.0F) * 0.5F * size;
     const float unit_height = std::abs(frame.camera.projection[1][1]) / w * 0.5F * size.y;

@@ -252,7 +252,7 @@ gl::StrokeStyle StrokeStage::stroke_style(Frame& frame, const Pen& pen, bool hid
         const glm::dmat4 clip_from_world{frame.camera.clip_from_world()};
         style.focus =
             gl::FocusParams{.in_scene = focus.in_scene,
-                            .point = focus.in_scene ? focus.point : window,
+                            .point = focus.in_scene ? glm::vec3{focus.point} : window,
                             .radius = focus.radius * unit,
                             .falloff = focus.falloff * unit,
                             .far_width = focus.width,

@@ -85,10 +85,11 @@ SettingValue value_from_text(std::string_view text) {
 }
 
 std::string value_to_toml(const SettingValue& value) {
-    // Members are floats: 0.1, not 0.10000000149011612.
+    // Most members are floats: 0.1, not 0.10000000149011612.
     const auto number = [](double v) {
         const auto narrowed = static_cast<float>(v);
-        return std::isinf(narrowed) ? fmt::format("{}", v) : fmt::format("{}", narrowed);
+        const bool is_float = static_cast<double>(narrowed) == v;
+        return is_float ? fmt::format("{}", narrowed) : fmt::format("{}", v);
     };
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const double* one = std::get_if<double>(&value)) return number(*one);

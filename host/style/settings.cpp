@@ -112,7 +112,7 @@ Setting focus() {
                 return std::vector<double>{focus.point.x, focus.point.y, focus.point.z};
             },
             [](const Style& style) {
-                const glm::dvec3 point = style.focus.point;
+                const glm::dvec3& point = style.focus.point;
                 return is_place(std::array{point.x, point.y, point.z});
             },
             [](Style& style, const SettingValue& value) {

@@ -362,7 +362,8 @@ void bind_mesh(py::module_& module) {
                       "What was taken off the positions that were given, or stood in the file: "
                       "zero, unless\nthey lie so far from zero, compared with their size, that "
                       "float32 could not hold\nthem there. Points, views and matrices that go with "
-                      "the mesh are about it: given\nplaces less the origin.")
+                      "the mesh are about it: given\nplaces less the origin. So is a style's focus "
+                      "in the scene.")
         .def_property_readonly(
             "volume", [](const Model& model) { return enclosed_volume(model.mesh); },
             "What the triangles enclose, in cubes of the unit; negative where they are turned "

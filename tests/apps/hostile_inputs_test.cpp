@@ -80,6 +80,23 @@ TEST_F(HostileInputs, AModelFarFromZeroIsDrawnAsNearIt) {
     }
 }
 
+/// In the file's coordinates, as the camera.
+TEST_F(HostileInputs, AFocusInAModelFarFromZeroIsWhereItIsNearIt) {
+    const std::vector<MeshType> types = mesh_types();
+    const MeshType& type = *std::ranges::find_if(types, &MeshType::exact);
+    write("near" + type.extension, type.write(block_on_cube(), {}));
+    write("far" + type.extension, type.write(block_on_cube().moved(0.01, {1e7, -2e7, 5e6}), {}));
+    const std::string note = "far from zero for its size, drawn about 10000000,-20000000,5000000";
+    const std::string look = "--lines crease --set focus-radius=0.1 --set focus-falloff=0.1 "
+                             "--set focus-width=3 --set focus-opacity=1 --focus ";
+    const Image far =
+        draw("far" + type.extension, note, look + "10000000.01,-19999999.99,5000000.01");
+    expect_same(draw("near" + type.extension, "", look + "1,1,1"), far, type.name);
+    // The focus is seen: it is not at another corner.
+    const Image other = draw("near" + type.extension, "", look + "0,0,1");
+    EXPECT_NE(other.pixels, far.pixels);
+}
+
 /// By a rotation of few digits that leaves no edge along an axis.
 Model tilted(Model model) {
     for (auto& [x, y, z] : model.points)

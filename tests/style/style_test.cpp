@@ -190,11 +190,11 @@ TEST(Settings, ValuesLandInTheirMembers) {
     EXPECT_EQ(style.paper.grain, 0.5F);
     EXPECT_TRUE(style.focus.on);
     EXPECT_TRUE(style.focus.in_scene);
-    EXPECT_EQ(style.focus.point, glm::vec3(1, -2.5F, 3));
+    EXPECT_EQ(style.focus.point, glm::dvec3(1, -2.5, 3));
     EXPECT_EQ(style.focus.mark, "pencil");
     apply_setting(style, "focus=[0.25, 0.5]");
     EXPECT_FALSE(style.focus.in_scene);
-    EXPECT_EQ(style.focus.point, glm::vec3(0.25F, 0.5F, 0));
+    EXPECT_EQ(style.focus.point, glm::dvec3(0.25, 0.5, 0));
     apply_setting(style, "focus=none");
     EXPECT_FALSE(style.focus.on);
     apply_setting(style, "focus-pen=same");
@@ -362,7 +362,7 @@ std::vector<Misuse> misuses() {
     number(
         "made-for", [](Style& s) -> float& { return s.made_for; }, 0.5F, 65537);
     add(
-        "focus", [](Style& s) -> glm::vec3& { return s.focus.point; }, glm::vec3{nan, 0, 0});
+        "focus", [](Style& s) -> glm::dvec3& { return s.focus.point; }, glm::dvec3{nan, 0, 0});
     const auto focus = [&](auto member) {
         return [member](Style& s) -> float& { return s.focus.*member; };
     };

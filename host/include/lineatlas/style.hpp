@@ -75,9 +75,11 @@ struct Paper {
 /// Style that varies with the distance from a focus (§6, Fig. 13). Between `radius` and `radius` +
 /// `falloff` everything goes smoothly from its own value to its value far away.
 struct Focus {
-    bool on = false;                ///< without one all is near
-    bool in_scene = false;          ///< `point` is in the model's coordinates, else in the window
-    glm::vec3 point{0.5F, 0.5F, 0}; ///< window: shares of its width and height from the lower left
+    bool on = false;       ///< without one all is near
+    bool in_scene = false; ///< `point` is in the scene, else in the window
+    /// Scene: about the origin of the mesh (LoadedMesh::origin), as its positions. Window: shares
+    /// of its width and height from the lower left.
+    glm::dvec3 point{0.5, 0.5, 0};
     /// Window: shares of its height; scene: of the model's diagonal; 0 to 1000.
     float radius = 0.2F;
     float falloff = 0.3F;     ///< the same
