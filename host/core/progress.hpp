@@ -37,4 +37,11 @@ class ProgressPart {
     float from_, to_;
 };
 
+/// The Progress of a part of a call, for a call of a public function within it. from, to: the
+/// part's shares of the whole. `progress` must outlive the result.
+inline Progress part_of(const Progress& progress, float from, float to) {
+    if (!progress) return {};
+    return [&progress, from, to](float done) { return progress(from + done * (to - from)); };
+}
+
 } // namespace lineatlas

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -24,6 +26,7 @@ class Joined {
             kept_[place] = borders_at_[place] != 0 && borders_at_[place] != 2;
         std::vector<bool> done(map_.half_edge_count(), false);
         const auto straighten_from = [&](std::uint32_t h) {
+            ask_between_pieces();
             const std::vector<std::uint32_t> chain = chain_from(h, done);
             if (chain.front() == chain.back() && borders_at_[chain.front()] == 2)
                 return straighten_ring(chain, tolerance);

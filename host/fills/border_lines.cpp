@@ -108,6 +108,7 @@ LineSet border_lines(const LineSet& lines, std::span<const std::uint32_t> looks,
         while (end < sides.size() && sides[end].edge == sides[first].edge) ++end;
         const std::span of_edge = std::span{sides}.subspan(first, end - first);
         if (is_border.has(of_edge)) add(borders, segment_of(of_edge));
+        if (first % usual_piece < 2) ask_between_pieces(); // edges have about two sides
     }
     for (Segment segment : lines.segments) {
         if ((segment.tag & LA_TAG_KIND_MASK) != LA_KIND_INTERSECTION) continue;

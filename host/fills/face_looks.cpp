@@ -90,6 +90,7 @@ FaceLooks face_looks(const LineSet& lines, const Camera& camera, const Fill& fil
     result.of_triangle.resize(colors.size());
     std::map<std::tuple<std::uint32_t, unsigned, unsigned, unsigned>, std::uint32_t> known;
     for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (i % usual_piece == 0) ask_between_pieces();
         const bool grouped = !lines.triangle_group.empty();
         const std::uint32_t object = grouped ? objects[lines.triangle_group[i]] : 0;
         const glm::uvec3 color = colors[i];

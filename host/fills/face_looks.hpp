@@ -15,7 +15,7 @@ namespace lineatlas {
 /// The part that a triangle belongs to, and the colour in which it is seen.
 struct Look {
     std::string object;
-    glm::uvec3 color{0}; ///< 0 to 255, as pictures have it
+    glm::uvec3 color{0}; ///< 0 to 255
 };
 
 /// How the triangles of a line set look.
@@ -24,7 +24,8 @@ struct FaceLooks {
     std::vector<std::uint32_t> of_triangle; ///< index into `looks`
 };
 
-/// The looks by one camera, as the stage `fill` colours triangles.
+/// The looks by one camera. The stage `fill` of pictures colours triangles alike, except on smooth
+/// surfaces: it lights these by corner normals, and a look is lit by the normal of its triangle.
 FaceLooks face_looks(const LineSet& lines, const Camera& camera, const Fill& fill);
 
 } // namespace lineatlas

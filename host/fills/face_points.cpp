@@ -6,6 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include "base/parallel.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -82,6 +84,7 @@ std::vector<FacePoint> face_points(const PlanarMap& map, double pixel,
     const HalfEdgesOfFaces edges = half_edges_of_faces(map);
     std::vector<FacePoint> points;
     for (std::uint32_t face = 0; face < map.face_count(); ++face) {
+        ask_between_pieces();
         const std::span<const std::uint32_t> own = edges.of(face);
         const auto height_of = [&](std::uint32_t h) { return static_cast<double>(map.start(h).y); };
         const auto [low, high] = std::ranges::minmax(own, {}, height_of);

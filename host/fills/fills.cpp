@@ -9,9 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "areas.hpp"
+#include "base/parallel.hpp"
 #include "border_lines.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
+#include "core/progress.hpp"
 #include "face_looks.hpp"
 #include "face_points.hpp"
 #include "lineatlas/visibility.hpp"
@@ -136,8 +138,10 @@ FacesSeen look_at_faces(const PlanarMap& map, const GridScale& scale, const Line
                         const Camera& camera, const FaceLooks& looks, const FacesSeen* before) {
     const std::vector<MixedFace> boxes = boxes_of_faces(map, scale);
     std::vector<bool> closely(boxes.size(), before == nullptr);
-    if (before != nullptr)
-        for (std::size_t i = 0; i < boxes.size(); ++i) closely[i] = before->is_mixed_at(boxes[i]);
+    for (std::size_t i = 0; before != nullptr && i < boxes.size(); ++i) {
+        ask_between_pieces();
+        closely[i] = before->is_mixed_at(boxes[i]);
+    }
     const std::vector<FacePoint> points = face_points(map, scale.per_pixel, closely);
     std::vector<glm::dvec2> places;
     for (const FacePoint& point : points) places.push_back(point.at / scale.per_pixel);
@@ -173,8 +177,10 @@ bool show_missing(Pieces& pieces, const LineSet& borders, const FaceLooks& looks
         return false;
     };
     bool any = false;
-    for (Piece& piece : pieces.list)
+    for (Piece& piece : pieces.list) {
+        ask_between_pieces();
         if (!piece.visible && is_missing(piece)) any = piece.visible = true;
+    }
     return any;
 }
 
@@ -199,18 +205,30 @@ void check(const Fill& fill) {
     check_style(style);
 }
 
-} // namespace
+/// Does work that is stopped between its pieces, too. reached: the share that is done before it.
+template <class Work>
+auto asking(const ProgressPart& done, float reached, const Work& work) {
+    done(reached);
+    const BetweenPieces between{[&] { done(reached); }};
+    return work();
+}
 
-std::vector<VectorFill> find_fills(const LineSet& lines, const Camera& camera, const Fill& fill,
-                                   const DeviceOptions& device, const Progress& progress) {
-    check(fill);
-    if (fill.mode == FillMode::none) return {};
-    check_lines(lines);
-    check_camera(camera);
-    const FaceLooks looks = face_looks(lines, camera, fill);
-    const LineSet borders = border_lines(lines, looks.of_triangle, camera);
-    const std::vector<Interval> found = LineVisibility{borders, device}.find(
-        camera, {.lines = all_line_kinds, .hidden = true, .step = finest}, progress);
+/// Which lines are to be found, and what they lie between.
+struct Wanted {
+    FaceLooks looks;
+    LineSet borders;
+};
+
+Wanted wanted_of(const LineSet& lines, const Camera& camera, const Fill& fill) {
+    FaceLooks looks = face_looks(lines, camera, fill);
+    LineSet borders = border_lines(lines, looks.of_triangle, camera);
+    return {std::move(looks), std::move(borders)};
+}
+
+/// found: intervals of Wanted::borders, hidden ones too.
+std::vector<VectorFill> fills_between(const LineSet& lines, const Camera& camera,
+                                      const Wanted& wanted, const std::vector<Interval>& found) {
+    const auto& [looks, borders] = wanted;
     Pieces pieces = make_pieces(borders, camera, found);
     const GridScale scale{camera.size};
     PlanarMap map =
@@ -224,6 +242,26 @@ std::vector<VectorFill> find_fills(const LineSet& lines, const Camera& camera, c
     std::vector<VectorFill> fills;
     for (const Area& area : join_faces(map, faces.looks, tolerance * scale.per_pixel))
         fills.push_back(fill_of(area, looks.looks[area.kind], scale));
+    return fills;
+}
+
+} // namespace
+
+std::vector<VectorFill> find_fills(const LineSet& lines, const Camera& camera, const Fill& fill,
+                                   const DeviceOptions& device, const Progress& progress) {
+    constexpr float before = 0.125F, found_by = 0.625F; // shares of the time, about
+    check(fill);
+    if (fill.mode == FillMode::none) return {};
+    check_lines(lines);
+    check_camera(camera);
+    const ProgressPart done{progress, "finding fills"};
+    const Wanted wanted = asking(done, 0, [&] { return wanted_of(lines, camera, fill); });
+    const std::vector<Interval> found = LineVisibility{wanted.borders, device}.find(
+        camera, {.lines = all_line_kinds, .hidden = true, .step = finest},
+        part_of(progress, before, found_by));
+    std::vector<VectorFill> fills =
+        asking(done, found_by, [&] { return fills_between(lines, camera, wanted, found); });
+    done(1);
     return fills;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/parallel.hpp"
 #include "vector/segment_grid.hpp"
 
 namespace lineatlas {
@@ -65,6 +66,7 @@ PlanarMap::PlanarMap(SnappedEdges edges, glm::ivec2 size, const GridScale& scale
 void PlanarMap::order_around_places() {
     Starts starts = starts_of(*this, places().size(), half_edge_count());
     for (std::size_t place = 0; place < places().size(); ++place) {
+        if (place % usual_piece == 0) ask_between_pieces();
         const auto first = starts.list.begin() + starts.first[place];
         const auto last = starts.list.begin() + starts.first[place + 1];
         std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
@@ -146,9 +148,11 @@ void PlanarMap::find_faces(glm::ivec2 size, const GridScale& scale) {
         if (!is_inner_[loop]) holes.push_back(loop);
     // From left to right: what stands to the left of a hole has its face by then.
     std::ranges::sort(holes, {}, [&](std::uint32_t loop) { return start_of(loop_start_[loop]); });
-    for (const std::uint32_t hole : holes)
+    for (const std::uint32_t hole : holes) {
+        ask_between_pieces();
         if (const auto beside = left_of(loop_start_[hole]))
             face_of_loop_[hole] = face_of_loop_[loop_[*beside]];
+    }
 }
 
 } // namespace lineatlas

@@ -58,9 +58,11 @@ TileLists list_by_tiles(std::size_t tiles, std::size_t numbers, const ForEachTil
     std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
     lists.list.resize(lists.first.back());
     std::vector<std::uint32_t> next = lists.first;
-    for (std::size_t i = 0; i < numbers; ++i)
+    for (std::size_t i = 0; i < numbers; ++i) {
+        if (i % usual_piece == 0) ask_between_pieces();
         for_each_tile(
             i, [&](std::size_t at) { lists.list[next[at]++] = static_cast<std::uint32_t>(i); });
+    }
     return lists;
 }
 

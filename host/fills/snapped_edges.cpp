@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "base/parallel.hpp"
 #include "vector/segment_grid.hpp"
 
 namespace lineatlas {
@@ -67,6 +68,7 @@ class LineGrid {
 std::vector<GridPlace> hot_places(const std::vector<GridLine>& lines, LineGrid& grid) {
     std::vector<GridPlace> places;
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        ask_between_pieces();
         places.insert(places.end(), {lines[i].a, lines[i].b});
         for (const std::uint32_t other : grid.near(lines[i])) {
             if (const auto at = crossing(lines[i], lines[other])) places.push_back(*at);
@@ -112,6 +114,7 @@ SnappedEdges snap_lines(const std::vector<GridLine>& lines, glm::ivec2 size,
     for (std::size_t i = 0; i < result.places.size(); ++i)
         place_grid.insert({result.places[i], result.places[i]}, i);
     for (const GridLine& line : lines) {
+        ask_between_pieces();
         const std::vector<std::uint32_t> along = places_along(line, result.places, place_grid);
         for (std::size_t i = 1; i < along.size(); ++i)
             result.edges.push_back(

@@ -117,6 +117,14 @@ std::unique_lock<std::mutex> Drawer::lock() const {
     return std::unique_lock{mutex_};
 }
 
+DeviceOptions Drawer::device() const {
+    const std::unique_lock held = lock();
+    if (!state_) throw UsageError("the renderer is closed");
+    DeviceOptions device = state_->device;
+    device.interop.clear();
+    return device;
+}
+
 void Drawer::close() {
     if (has_lost_drivers()) {
         static_cast<void>(state_.release()); // to take it apart would wait for drivers

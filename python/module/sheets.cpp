@@ -51,7 +51,7 @@ VectorSheet draw(Drawer& drawer, const SheetOptions& options, const Style& style
         if (found.subject != subject)
             throw UsageError("the model has changed while its sheet was drawn");
         return {std::move(found.intervals), std::move(found.outlines),
-                find_fills(subject->lines, camera, style.fill)};
+                find_fills(subject->lines, camera, style.fill, drawer.device(), asked)};
     };
     return make_vector_sheet(subject->lines, layout, find, style, {.mesh = &subject->model->mesh});
 }

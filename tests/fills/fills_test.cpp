@@ -1,10 +1,12 @@
 // Fills as paths: which area of the picture each part has, in which colour; known answers, and a
 // scene against a depth buffer and against the outlines of all its triangles.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -13,6 +15,7 @@
 #include "fills/face_looks.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/fills.hpp"
+#include "lineatlas/progress.hpp"
 #include "lineatlas/scenes.hpp"
 #include "scene_cameras.hpp"
 #include "test_meshes.hpp"
@@ -142,6 +145,31 @@ TEST(Fills, FromWithinARoomAllOfThePictureIsFilled) {
     for (const VectorFill& fill : find_fills(lines, camera, fill_of(FillMode::lambert)))
         sum += area_of(fill);
     EXPECT_NEAR(sum, 160 * 120, 1e-6);
+}
+
+/// Also before and behind the stages of visibility.
+TEST(Fills, CanBeStoppedWheneverTheyTellTheirProgress) {
+    const LineSet lines = extract_lines(cube());
+    std::vector<float> shares;
+    find_fills(lines, plan(), flat, {}, [&](float done) {
+        shares.push_back(done);
+        return true;
+    });
+    ASSERT_GT(shares.size(), 3U);
+    EXPECT_EQ(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    for (const float last : shares) {
+        const auto stop = [&](float done) { return done < last; };
+        EXPECT_THROW(find_fills(lines, plan(), flat, {}, stop), Cancelled) << last;
+    }
+    std::string told;
+    try {
+        find_fills(lines, plan(), flat, {}, [](float) { return false; });
+    } catch (const Cancelled& cancelled) {
+        told = cancelled.what();
+    }
+    EXPECT_EQ(told, "finding fills was cancelled");
 }
 
 TEST(Fills, AFillThatNoStyleHasIsRefused) {
