@@ -8,9 +8,10 @@
 #ifndef LINEATLAS_KERNELS_H
 #define LINEATLAS_KERNELS_H
 
-#include "segment_table.h"
 #include "shared/constants.h"
 #include "shared/language.h"
+
+#include "segment_table.h" /* in the words of language.h */
 #include "style_numbers.h"
 
 /* Lists stay lists: */
