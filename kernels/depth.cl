@@ -221,7 +221,8 @@ KERNEL(depth_small, DepthParameters) {
     const Meshlet meshlet = meshlets[cluster];
     if (t >= meshlet.triangle_count) return;
     const View view = make_view(&args);
-    Target to = make_target(&args, texels);
+    Target to;
+    make_target(&args, texels, &to);
     const OneTriangle one = one_triangle(&view, meshlet, t, vertex_list, corners, vertices);
     bool in_pairs = is_cut(&one), wide = false;
     if (!in_pairs) {
@@ -245,7 +246,8 @@ KERNEL(depth_large, DepthParameters) {
     const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
     const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);
     const View view = make_view(&args);
-    Target to = make_target(&args, texels);
+    Target to;
+    make_target(&args, texels, &to);
     for (uint e = (uint)get_global_id(0) / LA_DEPTH_SHARE; e < large_count[0]; e += step) {
         const bool wide = (large_list[e] & WIDE) != 0;
         if ((large_list[e] & SET_UP_IN_PAIRS) != 0 || !has_share(share, wide)) continue;
@@ -265,7 +267,8 @@ KERNEL(depth_pairs, DepthParameters) {
     const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
     const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);
     const View view = make_view(&args);
-    Target to = make_target(&args, texels);
+    Target to;
+    make_target(&args, texels, &to);
     for (uint e = (uint)get_global_id(0) / LA_DEPTH_SHARE; e < large_count[0]; e += step) {
         if ((large_list[e] & SET_UP_IN_PAIRS) == 0) continue;
         const uint entry = large_list[e] & ~(SET_UP_IN_PAIRS | WIDE);

@@ -68,18 +68,16 @@ typedef struct Target {
     __global DepthTexel* texels;
 } Target;
 
-INLINED Target make_target(const DepthParameters* args, __global DepthTexel* texels) {
-    Target to;
-    to.origin = to_int2(args->origin);
-    to.base = to.origin + to_int2(args->covered);
+INLINED void make_target(const DepthParameters* args, __global DepthTexel* texels, Target* to) {
+    to->origin = to_int2(args->origin);
+    to->base = to->origin + to_int2(args->covered);
     const int2 size = to_int2(args->depth_size), tiles = to_int2(args->tiles);
-    to.last = int2(min(to.base.x + tiles.x * DEPTH_TILE, to.origin.x + size.x) - 1,
-                   min(to.base.y + tiles.y * DEPTH_TILE, to.origin.y + size.y) - 1);
-    to.width = size.x;
-    to.finds = args->finds;
-    to.rank = 0;
-    to.texels = texels;
-    return to;
+    to->last = int2(min(to->base.x + tiles.x * DEPTH_TILE, to->origin.x + size.x) - 1,
+                    min(to->base.y + tiles.y * DEPTH_TILE, to->origin.y + size.y) - 1);
+    to->width = size.x;
+    to->finds = args->finds;
+    to->rank = 0;
+    to->texels = texels;
 }
 
 INLINED void put(const Target* to, const int x, const int y, const float depth) {

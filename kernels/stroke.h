@@ -111,17 +111,16 @@ static void thin_out(const StrokesParameters* args, __global const Run* run,
 }
 
 /* All of a stroke but what its samples and `density` say. */
-INLINED Stroke shape_stroke(const StrokesParameters* args, __global const Run* run) {
-    Stroke s;
-    s.start = vload2(0, run->start);
-    s.end = vload2(0, run->end);
-    const float2 way = s.end - s.start;
-    s.length = sqrt(way.x * way.x + way.y * way.y);
-    const float per_pixel = s.length > 0.0f ? 1.0f / s.length : 0.0f;
-    s.along = s.length > 0.0f ? way / s.length : float2(1.0f, 0.0f);
-    s.reach = args->half_width + LA_STROKE_FRINGE;
-    s.most = fmin(1.0f, 2.0f * args->half_width);
-    s.opacity = args->opacity;
+INLINED void shape_stroke(const StrokesParameters* args, __global const Run* run, Stroke* s) {
+    s->start = vload2(0, run->start);
+    s->end = vload2(0, run->end);
+    const float2 way = s->end - s->start;
+    s->length = sqrt(way.x * way.x + way.y * way.y);
+    const float per_pixel = s->length > 0.0f ? 1.0f / s->length : 0.0f;
+    s->along = s->length > 0.0f ? way / s->length : float2(1.0f, 0.0f);
+    s->reach = args->half_width + LA_STROKE_FRINGE;
+    s->most = fmin(1.0f, 2.0f * args->half_width);
+    s->opacity = args->opacity;
     const uint flags = run->flags;
     const uint start = end_kind(flags, LA_RUN_START_SHIFT);
     const uint end = end_kind(flags, LA_RUN_END_SHIFT);
@@ -129,47 +128,44 @@ INLINED Stroke shape_stroke(const StrokesParameters* args, __global const Run* r
     const bool exact = (args->end_kinds & LA_STROKES_EXACT_ENDS) != 0;
     const bool start_cut = exact && start >= LA_END_HIDDEN && !start_round;
     const bool end_cut = exact && end >= LA_END_HIDDEN && !end_round;
-    const float2 left = float2(-s.along.y, s.along.x);
-    s.start_side = start == LA_END_JOIN ? vload2(0, run->start_corner) : left;
-    s.end_side = end == LA_END_JOIN ? vload2(0, run->end_corner) : left;
-    s.before = start == LA_END_JOIN ? 0.0f
-               : start_round        ? s.reach
-               : start_cut          ? LA_STROKE_FRINGE
-                                    : 0.0f;
-    s.after = end == LA_END_JOIN ? 0.0f : end_round ? s.reach : end_cut ? LA_STROKE_FRINGE : 0.0f;
-    s.has_round = start_round || end_round;
-    s.round_from = start_round ? 0.0f : -FAR_AWAY;
-    s.round_to = end_round ? s.length : FAR_AWAY;
-    s.has_cut = start_cut || end_cut;
-    s.cut_from = start_cut ? 0.0f : -FAR_AWAY;
-    s.cut_to = end_cut ? s.length : FAR_AWAY;
-    s.is_solid = exact && (flags & LA_RUN_SOLID) != 0;
-    s.first_sample = run->start_sample;
-    s.sample_step = (run->end_sample - run->start_sample) * per_pixel;
-    s.last_sample = (float)(run->samples - 1u);
-    s.is_marked = args->mark_length > 0;
-    s.first_turn = run->start_arc * args->per_repeat;
-    s.turn_step = (run->end_arc - run->start_arc) * per_pixel * args->per_repeat;
-    return s;
+    const float2 left = float2(-s->along.y, s->along.x);
+    s->start_side = start == LA_END_JOIN ? vload2(0, run->start_corner) : left;
+    s->end_side = end == LA_END_JOIN ? vload2(0, run->end_corner) : left;
+    s->before = start == LA_END_JOIN ? 0.0f
+                : start_round        ? s->reach
+                : start_cut          ? LA_STROKE_FRINGE
+                                     : 0.0f;
+    s->after = end == LA_END_JOIN ? 0.0f : end_round ? s->reach : end_cut ? LA_STROKE_FRINGE : 0.0f;
+    s->has_round = start_round || end_round;
+    s->round_from = start_round ? 0.0f : -FAR_AWAY;
+    s->round_to = end_round ? s->length : FAR_AWAY;
+    s->has_cut = start_cut || end_cut;
+    s->cut_from = start_cut ? 0.0f : -FAR_AWAY;
+    s->cut_to = end_cut ? s->length : FAR_AWAY;
+    s->is_solid = exact && (flags & LA_RUN_SOLID) != 0;
+    s->first_sample = run->start_sample;
+    s->sample_step = (run->end_sample - run->start_sample) * per_pixel;
+    s->last_sample = (float)(run->samples - 1u);
+    s->is_marked = args->mark_length > 0;
+    s->first_turn = run->start_arc * args->per_repeat;
+    s->turn_step = (run->end_arc - run->start_arc) * per_pixel * args->per_repeat;
 }
 
-INLINED Stroke make_stroke(const StrokesParameters* args, __global const Run* run,
-                           __global const uchar* alpha, __global const float* weights) {
-    Stroke s = shape_stroke(args, run);
-    s.is_even = s.is_solid || is_even_along(run, alpha, args->hidden);
-    thin_out(args, run, weights, &s);
-    return s;
+INLINED void make_stroke(const StrokesParameters* args, __global const Run* run,
+                         __global const uchar* alpha, __global const float* weights, Stroke* s) {
+    shape_stroke(args, run, s);
+    s->is_even = s->is_solid || is_even_along(run, alpha, args->hidden);
+    thin_out(args, run, weights, s);
 }
 
 /* The same of a run of which `box` tells what takes long to find. */
-INLINED Stroke make_known_stroke(const StrokesParameters* args, __global const Run* run,
-                                 const StrokeBox box) {
-    Stroke s = shape_stroke(args, run);
-    s.is_even = (box.flags & LA_STROKE_EVEN) != 0;
-    s.is_thinned = (box.flags & LA_STROKE_THINNED) != 0;
-    s.opacity = box.opacity;
-    find_bin(run, &s);
-    return s;
+INLINED void make_known_stroke(const StrokesParameters* args, __global const Run* run,
+                               const StrokeBox box, Stroke* s) {
+    shape_stroke(args, run, s);
+    s->is_even = (box.flags & LA_STROKE_EVEN) != 0;
+    s->is_thinned = (box.flags & LA_STROKE_THINNED) != 0;
+    s->opacity = box.opacity;
+    find_bin(run, s);
 }
 
 /* The run's visibility at so many pixels along it: linear between the middles of samples. */

@@ -153,7 +153,8 @@ INLINED void draw_stroke(const StrokesParameters* args, __global const Run* run,
                          __local float* pixels, const int2 corner, const int4 within,
                          __global const uchar* alpha, __global const float* mark,
                          __global const float* weights) {
-    const Stroke s = make_stroke(args, run, alpha, weights);
+    Stroke s;
+    make_stroke(args, run, alpha, weights, &s);
     __global const uchar* own = alpha + run->address;
     const int4 box = box_of(&s, corner, within);
     if (!s.is_even || s.has_cut || s.is_marked || s.is_thinned)
@@ -209,7 +210,8 @@ KERNEL(strokes_boxes, StrokesParameters) {
     if (r >= args.count) return;
     StrokeBox own = {{0.0f, 0.0f}, {0.0f, 0.0f}, 0, 0.0f};
     if (is_drawn(&args, runs + r)) {
-        const Stroke s = make_stroke(&args, runs + r, alpha, weights);
+        Stroke s;
+        make_stroke(&args, runs + r, alpha, weights, &s);
         const float4 bounds = bounds_of(&s);
         own.low[0] = bounds.x;
         own.low[1] = bounds.y;
@@ -254,7 +256,8 @@ KERNEL(strokes_pixels, StrokesParameters) {
         if (row <= box.low[1] || row > box.high[1] || first_column > box.high[0] ||
             first_column + (float)(LANES - 1) <= box.low[0])
             continue;
-        const Stroke s = make_known_stroke(&args, runs + r, box);
+        Stroke s;
+        make_known_stroke(&args, runs + r, box, &s);
         covered = over(covered, coverage_at(&args, &s, x, row + 0.5f, true, true,
                                             alpha + runs[r].address, mark, weights));
     }

@@ -268,8 +268,13 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
         moved_on(on_device, lines,
                  std::vector(lines.objects.size(),
                              glm::mat4{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {3, 2, 1, 1}}));
-    const DrawnDepth drawn = DepthModel{stages.device(), lines.vertices, lines.triangles, 4}.draw(
-        on_device, camera.clip_from_world(), {70, 37});
+    DepthModel model{stages.device(), lines.vertices, lines.triangles, 4};
+    constexpr glm::ivec2 depth_size{70, 37};
+    const DrawnDepth drawn = model.draw(on_device, camera.clip_from_world(), depth_size);
+    const DrawnDepth numbered = model.draw(on_device, {.clip_from_world = camera.clip_from_world(),
+                                                       .whole_size = depth_size,
+                                                       .part = {{0, 0}, depth_size},
+                                                       .numbered = true});
     const auto visible =
         stages.cull(camera, build_clusters(lines.vertices, lines.triangles, 4).clusters);
     stages.intervals(camera, depth, true, state);
@@ -294,6 +299,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append(result, drawn.texels);
     append(result, drawn.tiles);
     append(result, drawn.seen);
+    append(result, numbered.numbers);
     append(result, exact.spans);
     append(result, exact.intervals);
     append(result, exact.runs);
