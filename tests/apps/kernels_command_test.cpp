@@ -56,7 +56,7 @@ TEST_F(Tool, SaysWhatATableIs) {
 }
 
 TEST_F(Tool, PrintsKernelsOfAFolder) {
-    fs::copy(LINEATLAS_SOURCE_DIR "/kernels", path("mine"));
+    fs::copy(LINEATLAS_SOURCE_DIR "/kernels", path("mine"), fs::copy_options::recursive);
     std::ofstream{path("mine/facing.cl"), std::ios::app} << "/* mine */\n";
     ::setenv("LINEATLAS_KERNEL_DIR", path("mine").c_str(), 1);
     EXPECT_NE(run("kernels facing").output.find("\n/* mine */\n"), std::string::npos);
