@@ -24,6 +24,10 @@ double pixels(double value) {
 double depth(double value) {
     return rounded(value, 1e7);
 }
+/// Sines and roots differ in their last digits from one system to the next.
+double of_curve(double value) {
+    return rounded(value, 1e9);
+}
 
 /// Names from files may be in any encoding.
 std::string text_of(const Json& json) {
@@ -69,15 +73,15 @@ Json curve_json(const VectorCurve& curve) {
     if (curve.edge != VectorCurve::none) json["edge"] = curve.edge;
     if (curve.cubic) {
         const auto& [from, to] = *curve.cubic;
-        json["controls"] = {{from.x, from.y}, {to.x, to.y}};
+        json["controls"] = {{of_curve(from.x), of_curve(from.y)}, {of_curve(to.x), of_curve(to.y)}};
         return json;
     }
     const VectorArc& arc = curve.arc;
-    json["center"] = {arc.center.x, arc.center.y};
-    json["major"] = {arc.major.x, arc.major.y};
-    json["ratio"] = arc.ratio;
-    json["from"] = arc.from;
-    json["sweep"] = arc.sweep;
+    json["center"] = {of_curve(arc.center.x), of_curve(arc.center.y)};
+    json["major"] = {of_curve(arc.major.x), of_curve(arc.major.y)};
+    json["ratio"] = of_curve(arc.ratio);
+    json["from"] = of_curve(arc.from);
+    json["sweep"] = of_curve(arc.sweep);
     return json;
 }
 
