@@ -43,17 +43,31 @@ double angle_of(glm::dvec2 unrolled) {
     return std::atan2(unrolled.y, unrolled.x);
 }
 
-/// Where lines of the model end on the screen, by x.
-std::vector<glm::dvec2> ends_of(const std::vector<VectorPath>& paths) {
-    std::vector<glm::dvec2> ends;
-    for (const VectorPath& path : paths) {
-        if (path.closed || path.kind == LineKind::hatching) continue;
-        for (const VectorPoint* point : {&path.points.front(), &path.points.back()})
-            ends.push_back(point->at);
+/// Where lines of the model end on the screen.
+class PathEnds {
+  public:
+    PathEnds(const std::vector<VectorPath>& paths, glm::dvec2 size) : grid_(size) {
+        for (const VectorPath& path : paths) {
+            if (path.closed || path.kind == LineKind::hatching) continue;
+            for (const VectorPoint* point : {&path.points.front(), &path.points.back()}) {
+                grid_.insert(point->at, point->at, static_cast<std::uint32_t>(ends_.size()));
+                ends_.push_back(point->at);
+            }
+        }
     }
-    std::ranges::sort(ends, {}, &glm::dvec2::x);
-    return ends;
-}
+
+    /// Whether is(end) for one within `reach` of the line from a to b.
+    template <class Is>
+    bool any_near(glm::dvec2 a, glm::dvec2 b, double reach, const Is& is) {
+        return std::ranges::any_of(grid_.near(a, b, reach), [&](std::uint32_t i) {
+            return distance_to(ends_[i], a, b) < reach && is(ends_[i]);
+        });
+    }
+
+  private:
+    std::vector<glm::dvec2> ends_;
+    SegmentGrid grid_; ///< of `ends_`
+};
 
 /// From one to the other the shorter way round.
 double angle_between(glm::dvec2 a, glm::dvec2 b) {
@@ -64,9 +78,6 @@ double angle_between(glm::dvec2 a, glm::dvec2 b) {
 
 class PathCurves::Finder {
   public:
-    /// Where lines end on the screen, by x.
-    using Ends = std::vector<glm::dvec2>;
-
     Finder(const LineSet& lines, const Mesh& mesh, const Camera& camera)
         : mesh_(mesh), edges_(mesh), splines_(mesh), circles_of_mesh_(lines), eye_(camera.eye()),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
@@ -164,6 +175,8 @@ class PathCurves::Finder {
         }
     }
 
+    glm::dvec2 size() const { return size_; } ///< of the picture, pixels
+
     /// Whether the mesh has chords of circles.
     bool knows_chords() const { return !circles_of_mesh_.empty(); }
 
@@ -233,10 +246,10 @@ class PathCurves::Finder {
         }
     }
 
-    void find(VectorPath& path, const Ends& ends) {
+    void find(VectorPath& path, PathEnds* ends) {
         std::vector<Step> steps = steps_of(path);
         for (std::size_t i = 0; i < steps.size(); ++i)
-            if (steps[i].is_chord && is_met(*steps[i].ellipse, path, i, ends)) steps[i] = {};
+            if (steps[i].is_chord && is_met(*steps[i].ellipse, path, i, *ends)) steps[i] = {};
         if (path.closed) {
             begin_between_curves(path, steps);
         } else if (!path.pieces.empty()) {
@@ -598,15 +611,9 @@ class PathCurves::Finder {
     /// Whether a line ends on the chord from a point to the next one so far from its arc that it
     /// would no longer meet it.
     static bool is_met(const Ellipse& ellipse, const VectorPath& path, std::size_t point,
-                       const Ends& ends) {
-        const glm::dvec2 a = path.points[point].at, b = path.points[point + 1].at;
-        const auto first =
-            std::ranges::lower_bound(ends, std::min(a.x, b.x) - at_chord, {}, &glm::dvec2::x);
-        const auto last =
-            std::ranges::upper_bound(ends, std::max(a.x, b.x) + at_chord, {}, &glm::dvec2::x);
-        return std::any_of(first, last, [&](glm::dvec2 end) {
-            return distance_to(end, a, b) < at_chord && off_of(ellipse, end) > on_curve;
-        });
+                       PathEnds& ends) {
+        const auto is_off = [&](glm::dvec2 end) { return off_of(ellipse, end) > on_curve; };
+        return ends.any_near(path.points[point].at, path.points[point + 1].at, at_chord, is_off);
     }
 
     /// Whether a point divides a chord that is straight.
@@ -810,13 +817,13 @@ std::vector<std::uint32_t> PathCurves::joints(const VectorPath& path) const {
 
 void PathCurves::find(std::vector<VectorPath>& paths) const {
     if (!finder_) return;
-    Finder::Ends ends;
+    std::optional<PathEnds> ends; // needed for chords alone
     if (finder_->knows_chords()) {
         for (VectorPath& path : paths) finder_->join_chords(path);
         finder_->meet_on_arcs(paths);
-        ends = ends_of(paths);
+        ends.emplace(paths, finder_->size());
     }
-    for (VectorPath& path : paths) finder_->find(path, ends);
+    for (VectorPath& path : paths) finder_->find(path, ends ? &*ends : nullptr);
 }
 
 } // namespace lineatlas
