@@ -26,6 +26,7 @@ constexpr double straight = 1e-5;      ///< a chord this near, in pixels, is str
 constexpr double shortest = 1e-3;      ///< pixels
 constexpr double least_ratio = 1e-7;   ///< least ratio of a place's motion by one parameter to that
                                        ///< by the other
+constexpr double rounding = 1e-6;      ///< of directions of views, which cameras hold as floats
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// A place on a silhouette.
@@ -52,6 +53,7 @@ class SeenSurface {
         const glm::dmat4 world{placed.model_from_shape};
         eye_ = glm::inverse(world) * view.eye;
         normal_turn_ = glm::transpose(glm::inverse(glm::dmat3{world}));
+        if (shape.kind == SurfaceShape::Kind::revolution && eye_.w == 0) look_level_or_along();
     }
 
     /// Cosine between the normal and the way to the eye.
@@ -95,6 +97,16 @@ class SeenSurface {
         return std::abs(facing(at)) < 1e-9 ? std::optional{at} : std::nullopt;
     }
 
+    /// In a level view the silhouette of a revolution is meridians and parallels. Where one ends on
+    /// the other, between a place of each.
+    std::optional<glm::dvec2> crossing_between(glm::dvec2 a, glm::dvec2 b) const {
+        if (!is_level_) return {};
+        const bool a_on_meridian = is_on_meridian(a), b_on_meridian = is_on_meridian(b);
+        if (a_on_meridian == b_on_meridian) return {};
+        const glm::dvec2 at = a_on_meridian ? glm::dvec2{a.x, b.y} : glm::dvec2{b.x, a.y};
+        return at == a || at == b ? std::nullopt : std::optional{at};
+    }
+
     /// The parameters of a tip, for a way that comes from `other`.
     glm::dvec2 tip_towards(glm::dvec2 tip, glm::dvec2 other) const {
         const SurfacePoint point = evaluate(shape_, tip);
@@ -109,6 +121,25 @@ class SeenSurface {
     }
 
   private:
+    /// A view of a revolution at right angles to its axis or along it is meant to be just that. As
+    /// rounded, its silhouette would change from meridians to parallels beside their crossings.
+    void look_level_or_along() {
+        const glm::dvec3 way = glm::dvec3{eye_} / glm::length(glm::dvec3{eye_});
+        const double along = glm::dot(way, shape_.axis);
+        is_level_ = std::abs(along) < rounding;
+        if (is_level_)
+            eye_ = glm::dvec4{way - along * shape_.axis, 0};
+        else if (glm::length(glm::cross(way, shape_.axis)) < rounding)
+            eye_ = glm::dvec4{std::copysign(1, along) * shape_.axis, 0};
+    }
+
+    /// Whether the way from the axis to a place is at right angles to the view.
+    bool is_on_meridian(glm::dvec2 at) const {
+        const glm::dvec3 out = evaluate(shape_, at).at - shape_.point;
+        const glm::dvec3 from_axis = out - glm::dot(out, shape_.axis) * shape_.axis;
+        return std::abs(glm::dot(from_axis, glm::dvec3{eye_})) < rounding * glm::length(from_axis);
+    }
+
     glm::dvec3 way_to_eye(const glm::dvec3& at) const { return glm::dvec3{eye_} - at * eye_.w; }
 
     /// The change of parameters for given products with both derivatives, by the first fundamental
@@ -140,6 +171,7 @@ class SeenSurface {
     const SurfaceShape& shape_;
     const PlacedSurface& placed_;
     double sign_;
+    bool is_level_ = false; ///< a revolution, seen at right angles to its axis
     glm::dvec4 eye_{0};
     glm::dmat3 normal_turn_{1.0};
 };
@@ -371,14 +403,16 @@ class ContourTracer::Frame {
         constexpr int deepest = 8; // 256 chords in a triangle
         const double length = glm::distance(on_screen(a.world), on_screen(b.world));
         if (depth == deepest || !(length > shortest)) return;
+        const std::optional<glm::dvec2> crossing = surface.crossing_between(a.at, b.at);
         const double reach = 2 * glm::distance(a.at, b.at) + 1e-9;
-        const std::optional<glm::dvec2> at = surface.nearest(0.5 * (a.at + b.at), reach);
+        const std::optional<glm::dvec2> at =
+            crossing ? crossing : surface.nearest(0.5 * (a.at + b.at), reach);
         if (!at) return; // the surface cannot be followed, so the chord stays
         const Place middle = surface.place(*at);
         if (!is_between(a.world, b.world, middle.world)) return;
         // One place says little of a chord that bends both ways.
         const bool doubted = depth == 0 && length > longest_unasked;
-        if (is_straight(a, b, middle, doubted ? straight : most_off)) return;
+        if (is_straight(a, b, middle, doubted ? straight : most_off) && !crossing) return;
         refine(surface, a, middle, depth + 1, places);
         places.push_back(middle);
         refine(surface, middle, b, depth + 1, places);
