@@ -435,6 +435,79 @@ TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
 }
 
 /// SVG has the names of edges and faces from the file.
+/// What a drawing's lines are: the arcs, and the length of what is straight, both in the model's
+/// units.
+struct Parts {
+    std::vector<VectorArc> arcs;
+    double straight = 0;
+};
+
+Parts parts_of(const VectorDrawing& drawing, double scale) {
+    Parts parts;
+    for (const VectorPath& path : drawing.paths) {
+        if (!path.visible) continue;
+        std::vector<bool> is_straight(path.points.size() - 1, true);
+        for (const VectorCurve& curve : path.curves) {
+            EXPECT_FALSE(curve.cubic);
+            for (std::uint32_t i = curve.first; i < curve.last; ++i) is_straight[i] = false;
+            VectorArc arc = curve.arc;
+            arc.major /= scale;
+            parts.arcs.push_back(arc);
+        }
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+            if (is_straight[i])
+                parts.straight += glm::distance(path.points[i].at, path.points[i + 1].at) / scale;
+    }
+    return parts;
+}
+
+/// Views at right angles to the axis; the triangles of a body have meridians there in the first two
+/// alone.
+const std::vector<std::string> across{"front", "right", "37,0", "101.3,0"};
+
+// There meridians and parallels of the silhouette cross.
+TEST_F(RoundThings, ATorusSeenAcrossItsAxisIsTwoLinesAndTwoHalfCircles) {
+    const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+    for (const std::string& direction : across) {
+        SCOPED_TRACE(direction);
+        const VectorDrawing drawn =
+            drawing("a.brep", to_brep(torus), direction, {1000, 800}, Projection::orthographic);
+        const Parts parts = parts_of(drawn, scale_of(view_, 800));
+        ASSERT_EQ(parts.arcs.size(), 2U);
+        for (const VectorArc& arc : parts.arcs) {
+            EXPECT_EQ(arc.ratio, 1);
+            EXPECT_NEAR(arc.major.x, 5, 1e-6);
+            EXPECT_NEAR(std::abs(arc.sweep), std::numbers::pi, 1e-4);
+        }
+        EXPECT_NEAR(parts.straight, 80, 1e-3);
+    }
+}
+
+// The fillet's meridians are quarters of circles between straight ones of the cylinder and the rim
+// of the flat top.
+TEST_F(RoundThings, ARoundedCylinderSeenAcrossItsAxisIsLinesAndQuarters) {
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+    BRepFilletAPI_MakeFillet fillet{cylinder};
+    for (TopExp_Explorer edges{cylinder, TopAbs_EDGE}; edges.More(); edges.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+        const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+        if (BRep_Tool::Pnt(vertex).Z() > 29 && TopExp::LastVertex(edge).IsSame(vertex))
+            fillet.Add(3, edge);
+    }
+    for (const std::string& direction : across) {
+        SCOPED_TRACE(direction);
+        const VectorDrawing drawn = drawing("a.brep", to_brep(fillet.Shape()), direction,
+                                            {1000, 800}, Projection::orthographic);
+        const Parts parts = parts_of(drawn, scale_of(view_, 800));
+        ASSERT_EQ(parts.arcs.size(), 2U);
+        for (const VectorArc& arc : parts.arcs) {
+            EXPECT_NEAR(arc.major.x, 3, 1e-6);
+            EXPECT_NEAR(std::abs(arc.sweep), 0.5 * std::numbers::pi, 1e-4);
+        }
+        EXPECT_NEAR(parts.straight, 20 + 2 * 27 + 14, 1e-3);
+    }
+}
+
 TEST_F(RoundThings, TagsNameEntities) {
     const std::string step =
         to_step({{"pin", BRepPrimAPI_MakeCylinder(2, 8).Shape(), {gp_Trsf{}}}});
