@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "seen_ellipse.hpp"
 #include "segment_grid.hpp"
 #include "spline_edges.hpp"
+#include "surface_outlines.hpp"
 
 namespace lineatlas {
 namespace {
@@ -79,9 +79,9 @@ double angle_between(glm::dvec2 a, glm::dvec2 b) {
 class PathCurves::Finder {
   public:
     Finder(const LineSet& lines, const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), edges_(mesh), splines_(mesh), circles_of_mesh_(lines), eye_(camera.eye()),
+        : mesh_(mesh), edges_(mesh), splines_(mesh), circles_of_mesh_(lines),
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
-          size_(camera.size) {}
+          size_(camera.size), outlines_(mesh.surfaces, camera.eye(), clip_from_world_, size_) {}
 
     std::vector<std::uint32_t> joints(const VectorPath& path) {
         const std::vector<Step> steps = steps_of(path);
@@ -341,123 +341,6 @@ class PathCurves::Finder {
         if (curve_of(edge) == nullptr) return nullptr;
         return ellipse_of(ellipses_, edge, [&] { return mesh_.edge_curves[edge]; });
     }
-    /// Of the silhouette of a surface, where it goes from a place to another.
-    const Ellipse* ellipse_of_surface(std::uint32_t surface, glm::dvec3 from, glm::dvec3 to) {
-        const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
-        const SurfaceShape& shape = mesh_.surfaces.shapes[placed.shape];
-        const Ellipse* const sphere = ellipse_of(
-            outlines_, surface, [&] { return sphere_outline(shape, placed.model_from_shape); });
-        if (sphere != nullptr) return sphere;
-        if (shape.kind != SurfaceShape::Kind::revolution) return nullptr;
-        const Ellipse* const parallel = around_axis(shape, placed.model_from_shape, from);
-        return parallel != nullptr ? parallel
-                                   : along_meridian(shape, placed.model_from_shape, from, to);
-    }
-
-    static constexpr double rounding_of_eye = 1e-6; ///< cameras are floats
-
-    /// The circle about the axis of a revolution through a place of its silhouette, if the eye is
-    /// on the axis.
-    const Ellipse* around_axis(const SurfaceShape& shape, const glm::dmat4x3& placed,
-                               glm::dvec3 place) {
-        const glm::dvec3 axis = glm::normalize(glm::dmat3{placed} * shape.axis);
-        const glm::dvec3 foot = placed * glm::dvec4{shape.point, 1};
-        const glm::dvec3 to_eye = glm::dvec3{eye_} - foot * double{eye_.w};
-        if (!(glm::length(glm::cross(to_eye, axis)) < rounding_of_eye * glm::length(to_eye)))
-            return nullptr;
-        const glm::dvec3 center = foot + glm::dot(place - foot, axis) * axis;
-        const glm::dvec3 out = place - center;
-        return kept({.center = center, .u = out, .v = glm::cross(axis, out)});
-    }
-
-    /// The ellipse of a revolution, as of a torus, turned to where a level parallel view sees its
-    /// silhouette beside the axis. Null on a parallel, which such a view sees edge on.
-    const Ellipse* along_meridian(const SurfaceShape& shape, const glm::dmat4x3& placed,
-                                  glm::dvec3 from, glm::dvec3 to) {
-        const SurfaceCurve& curve = shape.curve;
-        if (eye_.w != 0 || shape.offset != 0 || curve.kind != SurfaceCurve::Kind::ellipse)
-            return nullptr;
-        const glm::dmat4 shape_from_model = glm::inverse(glm::dmat4{placed});
-        const glm::dvec3 to_eye = glm::normalize(glm::dvec3{shape_from_model * glm::dvec4{eye_}});
-        if (!(std::abs(glm::dot(to_eye, shape.axis)) < rounding_of_eye)) return nullptr;
-        const glm::dvec3 own = from_axis(shape, curve.point);
-        const double radius = glm::length(own), size = glm::length(curve.u);
-        const glm::dvec3 outwards = own / radius, across = glm::cross(shape.axis, outwards);
-        constexpr double same = 1e-9;
-        if (!(std::abs(glm::dot(across, curve.u)) + std::abs(glm::dot(across, curve.v)) <
-              same * size))
-            return nullptr;
-        const double top = std::atan2(glm::dot(curve.v, shape.axis), glm::dot(curve.u, shape.axis));
-        const double top_radius =
-            glm::dot(std::cos(top) * curve.u + std::sin(top) * curve.v, outwards);
-        const auto out_to = [&](glm::dvec3 place) {
-            return from_axis(shape, shape_from_model * glm::dvec4{place, 1});
-        };
-        const auto is_beside = [&](const glm::dvec3& out) {
-            constexpr double beside = 0.02; // of a place that stands for one that is seen there
-            return std::abs(glm::dot(to_eye, out)) < beside * glm::length(out);
-        };
-        const auto is_on_top = [&](const glm::dvec3& out) {
-            constexpr double rounding = 1e-5;
-            return std::abs(std::abs(glm::length(out) - radius) - std::abs(top_radius)) <
-                   rounding * size;
-        };
-        const glm::dvec3 out = out_to(from), out_at_end = out_to(to);
-        if (!is_beside(out) || !is_beside(out_at_end) || (is_on_top(out) && is_on_top(out_at_end)))
-            return nullptr;
-        const glm::dvec3 sideways = glm::normalize(glm::cross(shape.axis, to_eye));
-        const glm::dvec3 meridian = std::copysign(1, glm::dot(sideways, out)) * sideways;
-        const auto turned = [&](const glm::dvec3& v) {
-            return glm::dmat3{placed} *
-                   (glm::dot(v, shape.axis) * shape.axis + glm::dot(v, outwards) * meridian);
-        };
-        return kept(
-            {.center = placed * glm::dvec4{shape.point, 1} + turned(curve.point - shape.point),
-             .u = turned(curve.u),
-             .v = turned(curve.v)});
-    }
-
-    static glm::dvec3 from_axis(const SurfaceShape& shape, const glm::dvec3& place) {
-        const glm::dvec3 out = place - shape.point;
-        return out - glm::dot(out, shape.axis) * shape.axis;
-    }
-
-    /// As the view sees a circle or an ellipse of a surface; null if it is seen edge on.
-    const Ellipse* kept(const EdgeCurve& curve) {
-        const std::optional<Ellipse> seen = Ellipse::seen(curve, clip_from_world_, size_);
-        if (!seen) return nullptr;
-        if (circles_.empty() || !seen->is(circles_.back())) circles_.push_back(*seen);
-        return &circles_.back();
-    }
-
-    /// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other
-    /// shapes.
-    std::optional<EdgeCurve> sphere_outline(const SurfaceShape& shape,
-                                            const glm::dmat4x3& placed) const {
-        const SurfaceCurve& curve = shape.curve;
-        if (shape.kind != SurfaceShape::Kind::revolution || shape.offset != 0 ||
-            curve.kind != SurfaceCurve::Kind::ellipse)
-            return {};
-        const double radius = glm::length(curve.u);
-        constexpr double same = 1e-9; // of the radius
-        const glm::dvec3 out = curve.point - shape.point;
-        const glm::dvec3 beside = out - glm::dot(out, shape.axis) * shape.axis;
-        if (std::abs(glm::length(curve.v) - radius) > same * radius ||
-            glm::length(beside) > same * radius)
-            return {};
-        const glm::dvec3 center = placed * glm::dvec4{curve.point, 1};
-        const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3{placed})));
-        const glm::dvec3 to_eye = glm::dvec3{eye_} - center * double{eye_.w};
-        const double distance = glm::length(to_eye), seen = scale * radius;
-        if (!(distance > (eye_.w != 0 ? seen : 0))) return {};
-        const glm::dvec3 way = to_eye / distance;
-        const double sine = eye_.w != 0 ? seen / distance : 0;
-        const glm::dvec3 aside{std::abs(way.x) < 0.5 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0}};
-        const double half = seen * std::sqrt(1 - sine * sine);
-        const glm::dvec3 u = half * glm::normalize(glm::cross(way, aside));
-        return EdgeCurve{.center = center + seen * sine * way, .u = u, .v = glm::cross(way, u)};
-    }
-
     /// Of a silhouette that runs over a triangle whose surface is known, its number.
     std::uint32_t surface_of(const LineSource& source) const {
         const KnownSurfaces& known = mesh_.surfaces;
@@ -638,8 +521,8 @@ class PathCurves::Finder {
             const Ellipse* const chord = ellipse_of_chord(path, piece);
             const Ellipse* const ellipse =
                 chord != nullptr ? chord
-                : on_surface     ? ellipse_of_surface(surface, path.points[piece.point].world,
-                                                      path.points[piece.point + 1].world)
+                : on_surface     ? outlines_.between(surface, path.points[piece.point].world,
+                                                     path.points[piece.point + 1].world)
                                  : ellipse_of(edge);
             if (!known[piece.point])
                 step = {.edge = edge,
@@ -826,15 +709,13 @@ class PathCurves::Finder {
     EdgesByPlace edges_;
     SplineEdges splines_;
     MeshCircles circles_of_mesh_;
-    glm::vec4 eye_;
     glm::dmat4 clip_from_world_;
     glm::dvec2 size_;
     Ellipses ellipses_; ///< of edges
-    Ellipses outlines_; ///< of surfaces
     Ellipses chords_;   ///< of circles of the mesh
+    SurfaceOutlines outlines_;
     /// Segments that stay straight: chords of such circles.
     std::unordered_set<std::uint32_t> shared_;
-    std::deque<Ellipse> circles_; ///< of revolutions
 };
 
 PathCurves::PathCurves(const LineSet& lines, const Mesh* mesh, const Camera& camera) {
