@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "cut_curves.hpp"
 #include "cut_faces.hpp"
 #include "hatch_lines.hpp"
 #include "lineatlas/error.hpp"
@@ -81,6 +82,7 @@ class Sectioner {
         const PlaneFrame frame{plane.point, plane.normal};
         PlaneCut cut = cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding_);
         if (cut.misses) refuse(plane, frame);
+        follow_curves(cut, frame);
         const CutFaces faces = find_faces(cut, frame);
         mesh_ = &cut.mesh;
         part_of_triangle_ = std::move(cut.part_of_triangle);

@@ -657,7 +657,9 @@ class PathCurves::Finder {
         double sweep = 0;
         for (std::uint32_t i = first; i <= last; ++i) {
             const glm::dvec2 here = ellipse.unrolled(path.points[i].at);
-            const double slack = on_curve / ellipse.minor();
+            // What ends at a chord of another line, as of a section, is put onto its own curve.
+            const bool is_end = !path.closed && (i == 0 || i == steps.size());
+            const double slack = (is_end ? at_chord : on_curve) / ellipse.minor();
             if (!(std::abs(glm::length(here) - 1) < slack)) return;
             if (i == first) continue;
             const double step = angle_between(ellipse.unrolled(path.points[i - 1].at), here);

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "surface/plane_section.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -16,43 +18,17 @@ glm::dvec3 from_axis(const SurfaceShape& shape, const glm::dvec3& place) {
     return out - glm::dot(out, shape.axis) * shape.axis;
 }
 
-/// The ellipse that turns about an axis, in a plane with it, as of a torus.
-class TurnedEllipse {
-  public:
-    explicit TurnedEllipse(const SurfaceShape& shape)
-        : shape_(shape), radius_(glm::length(from_axis(shape, shape.curve.point))),
-          outwards_(from_axis(shape, shape.curve.point) / radius_) {
-        const SurfaceCurve& curve = shape.curve;
-        const double top = std::atan2(glm::dot(curve.v, shape.axis), glm::dot(curve.u, shape.axis));
-        top_ = std::abs(glm::dot(std::cos(top) * curve.u + std::sin(top) * curve.v, outwards_));
-    }
-
-    bool is_in_plane_with_axis() const {
-        const glm::dvec3 across = glm::cross(shape_.axis, outwards_);
-        return std::abs(glm::dot(across, shape_.curve.u)) +
-                   std::abs(glm::dot(across, shape_.curve.v)) <
-               same * size();
-    }
-
-    /// Whether a place, given by the way from the axis, is where the surface is level.
-    bool is_on_top(const glm::dvec3& out) const {
-        constexpr double rounding = 1e-5;
-        return std::abs(std::abs(glm::length(out) - radius_) - top_) < rounding * size();
-    }
-
-    /// A vector of the ellipse's plane, turned into that of the axis and a direction from it.
-    glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& meridian) const {
-        return glm::dot(v, shape_.axis) * shape_.axis + glm::dot(v, outwards_) * meridian;
-    }
-
-  private:
-    double size() const { return glm::length(shape_.curve.u); }
-
-    const SurfaceShape& shape_;
-    double radius_;       ///< of the way of its centre
-    glm::dvec3 outwards_; ///< from the axis to its centre
-    double top_ = 0;      ///< how far its highest place is from above the centre
-};
+/// Whether a place, given by the way from the axis, is where an ellipse that turns is level.
+bool is_on_top(const SurfaceShape& shape, const glm::dvec3& out) {
+    constexpr double rounding = 1e-5;
+    const SurfaceCurve& curve = shape.curve;
+    const glm::dvec3 own = from_axis(shape, curve.point);
+    const double top = std::atan2(glm::dot(curve.v, shape.axis), glm::dot(curve.u, shape.axis));
+    const glm::dvec3 to_top = std::cos(top) * curve.u + std::sin(top) * curve.v;
+    const double off = std::abs(glm::dot(to_top, glm::normalize(own)));
+    return std::abs(std::abs(glm::length(out) - glm::length(own)) - off) <
+           rounding * glm::length(curve.u);
+}
 
 } // namespace
 
@@ -96,14 +72,10 @@ const Ellipse* SurfaceOutlines::around_axis(const SurfaceShape& shape, const glm
 const Ellipse* SurfaceOutlines::along_meridian(const SurfaceShape& shape,
                                                const glm::dmat4x3& placed, glm::dvec3 from,
                                                glm::dvec3 to) {
-    if (eye_.w != 0 || shape.offset != 0 || shape.curve.kind != SurfaceCurve::Kind::ellipse)
-        return nullptr;
+    if (eye_.w != 0) return nullptr;
     const glm::dmat4 shape_from_model = glm::inverse(glm::dmat4{placed});
     const glm::dvec3 to_eye = glm::normalize(glm::dvec3{shape_from_model * eye_});
-    const TurnedEllipse ellipse{shape};
-    if (!(std::abs(glm::dot(to_eye, shape.axis)) < rounding_of_eye) ||
-        !ellipse.is_in_plane_with_axis())
-        return nullptr;
+    if (!(std::abs(glm::dot(to_eye, shape.axis)) < rounding_of_eye)) return nullptr;
     const auto out_to = [&](glm::dvec3 place) {
         return from_axis(shape, shape_from_model * glm::dvec4{place, 1});
     };
@@ -112,18 +84,14 @@ const Ellipse* SurfaceOutlines::along_meridian(const SurfaceShape& shape,
         return std::abs(glm::dot(to_eye, out)) < beside * glm::length(out);
     };
     const glm::dvec3 first = out_to(from), last = out_to(to);
-    if (!is_beside(first) || !is_beside(last) ||
-        (ellipse.is_on_top(first) && ellipse.is_on_top(last)))
-        return nullptr;
-    const glm::dvec3 sideways = glm::normalize(glm::cross(shape.axis, to_eye));
-    const glm::dvec3 meridian = std::copysign(1, glm::dot(sideways, first)) * sideways;
-    const auto turned = [&](const glm::dvec3& v) {
-        return glm::dmat3{placed} * ellipse.turned(v, meridian);
-    };
-    return kept(
-        {.center = placed * glm::dvec4{shape.point, 1} + turned(shape.curve.point - shape.point),
-         .u = turned(shape.curve.u),
-         .v = turned(shape.curve.v)});
+    if (!is_beside(first) || !is_beside(last)) return nullptr;
+    const glm::dvec3 sideways = glm::cross(shape.axis, to_eye);
+    const std::optional<SurfaceCurve> ellipse =
+        meridian_ellipse(shape, std::copysign(1, glm::dot(sideways, first)) * sideways);
+    if (!ellipse || (is_on_top(shape, first) && is_on_top(shape, last))) return nullptr;
+    return kept({.center = placed * glm::dvec4{ellipse->point, 1},
+                 .u = glm::dmat3{placed} * ellipse->u,
+                 .v = glm::dmat3{placed} * ellipse->v});
 }
 
 /// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other shapes.

@@ -37,6 +37,7 @@
 #include "brep_files.hpp"
 #include "brep_fixture.hpp"
 #include "lineatlas/camera.hpp"
+#include "lineatlas/section.hpp"
 #include "lineatlas/vector.hpp"
 #include "lineatlas/visibility.hpp"
 
@@ -74,10 +75,13 @@ class RoundThings : public Brep {
   protected:
     /// A drawing of a file.
     VectorDrawing drawing(const std::string& name, const std::string& file,
-                          const std::string& direction, glm::ivec2 size,
-                          Projection projection) const {
+                          const std::string& direction, glm::ivec2 size, Projection projection,
+                          const std::vector<SectionPlane>& planes = {}) const {
         const Mesh mesh =
-            load(name, file, {.pixels = static_cast<double>(std::max(size.x, size.y))}).mesh;
+            cut_mesh(
+                load(name, file, {.pixels = static_cast<double>(std::max(size.x, size.y))}).mesh,
+                planes, {.none = true})
+                .mesh;
         const LineSet lines = extract_lines(mesh);
         view_ = frame_points_from(view_direction(direction, up), lines.vertices, size, View{}.fov_y,
                                   projection);
@@ -461,6 +465,19 @@ Parts parts_of(const VectorDrawing& drawing, double scale) {
     return parts;
 }
 
+/// Of radius 10 and height 30, with a fillet of 3 around its top.
+TopoDS_Shape rounded_cylinder() {
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+    BRepFilletAPI_MakeFillet fillet{cylinder};
+    for (TopExp_Explorer edges{cylinder, TopAbs_EDGE}; edges.More(); edges.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+        const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
+        if (BRep_Tool::Pnt(vertex).Z() > 29 && TopExp::LastVertex(edge).IsSame(vertex))
+            fillet.Add(3, edge);
+    }
+    return fillet.Shape();
+}
+
 /// Views at right angles to the axis; the triangles of a body have meridians there in the first two
 /// alone.
 const std::vector<std::string> across{"front", "right", "37,0", "101.3,0"};
@@ -486,17 +503,9 @@ TEST_F(RoundThings, ATorusSeenAcrossItsAxisIsTwoLinesAndTwoHalfCircles) {
 // The fillet's meridians are quarters of circles between straight ones of the cylinder and the rim
 // of the flat top.
 TEST_F(RoundThings, ARoundedCylinderSeenAcrossItsAxisIsLinesAndQuarters) {
-    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
-    BRepFilletAPI_MakeFillet fillet{cylinder};
-    for (TopExp_Explorer edges{cylinder, TopAbs_EDGE}; edges.More(); edges.Next()) {
-        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
-        const TopoDS_Vertex vertex = TopExp::FirstVertex(edge);
-        if (BRep_Tool::Pnt(vertex).Z() > 29 && TopExp::LastVertex(edge).IsSame(vertex))
-            fillet.Add(3, edge);
-    }
     for (const std::string& direction : across) {
         SCOPED_TRACE(direction);
-        const VectorDrawing drawn = drawing("a.brep", to_brep(fillet.Shape()), direction,
+        const VectorDrawing drawn = drawing("a.brep", to_brep(rounded_cylinder()), direction,
                                             {1000, 800}, Projection::orthographic);
         const Parts parts = parts_of(drawn, scale_of(view_, 800));
         ASSERT_EQ(parts.arcs.size(), 2U);
@@ -506,6 +515,35 @@ TEST_F(RoundThings, ARoundedCylinderSeenAcrossItsAxisIsLinesAndQuarters) {
         }
         EXPECT_NEAR(parts.straight, 20 + 2 * 27 + 14, 1e-3);
     }
+}
+
+// The outline of the cut, seen at right angles to the plane.
+TEST_F(RoundThings, SectionsAlongTheAxisAreLinesAndQuarters) {
+    const VectorDrawing drawn =
+        drawing("a.brep", to_brep(rounded_cylinder()), "front", {1000, 800},
+                Projection::orthographic, {{.point = {0, 0, 0}, .normal = {0, -1, 0}}});
+    const Parts parts = parts_of(drawn, scale_of(view_, 800));
+    ASSERT_EQ(parts.arcs.size(), 2U);
+    for (const VectorArc& arc : parts.arcs) {
+        EXPECT_NEAR(arc.major.x, 3, 1e-5);
+        EXPECT_NEAR(std::abs(arc.sweep), 0.5 * std::numbers::pi, 1e-4);
+    }
+    EXPECT_NEAR(parts.straight, 20 + 2 * 27 + 14, 1e-3);
+}
+
+TEST_F(RoundThings, ASectionAslantIsOneEllipse) {
+    const double share = std::tan(std::numbers::pi / 6);
+    VectorDrawing drawn =
+        drawing("a.brep", to_brep(rounded_cylinder()), "isometric", {1000, 800},
+                Projection::orthographic, {{.point = {0, 0, 14}, .normal = {share, 0, 1}}});
+    std::erase_if(drawn.paths, [](const VectorPath& path) {
+        return !path.visible || path.kind != LineKind::section;
+    });
+    ASSERT_EQ(drawn.paths.size(), 1U);
+    EXPECT_TRUE(drawn.paths[0].closed);
+    ASSERT_EQ(drawn.paths[0].curves.size(), 1U);
+    EXPECT_FALSE(drawn.paths[0].curves[0].cubic);
+    EXPECT_NEAR(std::abs(drawn.paths[0].curves[0].arc.sweep), 2 * std::numbers::pi, 1e-9);
 }
 
 TEST_F(RoundThings, TagsNameEntities) {

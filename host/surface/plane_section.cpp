@@ -1,0 +1,148 @@
+#include "plane_section.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "surface_point.hpp"
+
+namespace lineatlas {
+namespace {
+
+/// Sines below this are 0, and so are shares of a size.
+constexpr double straight = 1e-7;
+
+/// A plane in the coordinates of a shape.
+struct Plane {
+    glm::dvec3 point, normal;
+};
+
+glm::dvec3 from_axis(const SurfaceShape& shape, glm::dvec3 place) {
+    const glm::dvec3 out = place - shape.point;
+    return out - glm::dot(out, shape.axis) * shape.axis;
+}
+
+/// The circle about the axis at the height of a plane, by Newton's method along the curve.
+std::optional<SurfaceCurve> across_axis(const SurfaceShape& shape, const Plane& plane,
+                                        glm::dvec2 at) {
+    const double height = glm::dot(plane.point - shape.point, shape.axis);
+    SurfacePoint place = evaluate(shape, at);
+    for (int i = 0; i < 8; ++i) {
+        const double rise = glm::dot(place.v, shape.axis);
+        if (!(std::abs(rise) > straight * glm::length(place.v))) return std::nullopt; // level there
+        at.y += (height - glm::dot(place.at - shape.point, shape.axis)) / rise;
+        place = evaluate(shape, at);
+    }
+    const glm::dvec3 out = from_axis(shape, place.at);
+    if (!(glm::length(out) > 0)) return std::nullopt;
+    return SurfaceCurve{.kind = SurfaceCurve::Kind::ellipse,
+                        .point = shape.point + height * shape.axis,
+                        .u = out,
+                        .v = glm::cross(shape.axis, out)};
+}
+
+/// The square of the distance from the axis as a polynomial of the height above `shape.point`.
+struct Quadric {
+    double constant, linear, square;
+};
+
+/// That of a line turned, which is a cylinder, a cone or a hyperboloid, and of a sphere.
+std::optional<Quadric> quadric_of(const SurfaceShape& shape) {
+    const SurfaceCurve& curve = shape.curve;
+    if (shape.offset != 0) return std::nullopt;
+    const glm::dvec3 out = from_axis(shape, curve.point);
+    const double height = glm::dot(curve.point - shape.point, shape.axis);
+    if (curve.kind == SurfaceCurve::Kind::line) {
+        const double rise = glm::dot(curve.u, shape.axis);
+        if (!(std::abs(rise) > straight * glm::length(curve.u))) return std::nullopt;
+        const glm::dvec3 slope = (curve.u - rise * shape.axis) / rise;
+        const glm::dvec3 foot = out - height * slope;
+        return Quadric{glm::dot(foot, foot), 2 * glm::dot(foot, slope), glm::dot(slope, slope)};
+    }
+    const double radius = glm::length(curve.u);
+    if (curve.kind != SurfaceCurve::Kind::ellipse || glm::length(out) > straight * radius ||
+        std::abs(glm::length(curve.v) - radius) > straight * radius)
+        return std::nullopt;
+    return Quadric{radius * radius - height * height, 2 * height, -1};
+}
+
+/// In coordinates of the plane, of which the first is the axis as seen there, the conic has no
+/// mixed term.
+std::optional<SurfaceCurve> aslant(const SurfaceShape& shape, const Plane& plane) {
+    const std::optional<Quadric> quadric = quadric_of(shape);
+    if (!quadric) return std::nullopt;
+    const glm::dvec3 sideways = glm::normalize(glm::cross(plane.normal, shape.axis));
+    const glm::dvec3 upwards = glm::cross(sideways, plane.normal);
+    const double rise = glm::dot(upwards, shape.axis);
+    const glm::dvec3 out = plane.point - shape.point;
+    const double height = glm::dot(out, shape.axis), bend = 1 + quadric->square;
+    const double square = 1 - bend * rise * rise;
+    if (!(square > straight)) return std::nullopt; // a parabola or a hyperbola
+    const double linear = glm::dot(out, upwards) - (bend * height + 0.5 * quadric->linear) * rise;
+    const double linear_aside = glm::dot(out, sideways);
+    const double constant =
+        glm::dot(out, out) - quadric->constant - (bend * height + quadric->linear) * height;
+    const double size = linear * linear / square + linear_aside * linear_aside - constant;
+    if (!(size > 0)) return std::nullopt;
+    return SurfaceCurve{.kind = SurfaceCurve::Kind::ellipse,
+                        .point = plane.point - linear / square * upwards - linear_aside * sideways,
+                        .u = std::sqrt(size / square) * upwards,
+                        .v = std::sqrt(size) * sideways};
+}
+
+std::optional<SurfaceCurve> section_of(const SurfaceShape& shape, const Plane& plane,
+                                       glm::dvec2 at) {
+    if (glm::length(glm::cross(plane.normal, shape.axis)) < straight)
+        return across_axis(shape, plane, at);
+    if (const std::optional<SurfaceCurve> ellipse = aslant(shape, plane)) return ellipse;
+    const glm::dvec3 place = evaluate(shape, at).at;
+    const bool holds_axis = std::abs(glm::dot(plane.normal, shape.axis)) < straight &&
+                            std::abs(glm::dot(plane.normal, plane.point - shape.point)) <
+                                straight * glm::length(place - shape.point);
+    if (!holds_axis) return std::nullopt;
+    const glm::dvec3 aside = glm::cross(shape.axis, plane.normal);
+    return meridian_ellipse(shape,
+                            std::copysign(1, glm::dot(aside, from_axis(shape, place))) * aside);
+}
+
+} // namespace
+
+std::optional<SurfaceCurve> meridian_ellipse(const SurfaceShape& shape, glm::dvec3 out) {
+    const SurfaceCurve& curve = shape.curve;
+    if (shape.kind != SurfaceShape::Kind::revolution || shape.offset != 0 ||
+        curve.kind != SurfaceCurve::Kind::ellipse)
+        return std::nullopt;
+    const glm::dvec3 own = from_axis(shape, curve.point);
+    const double size = glm::length(curve.u), radius = glm::length(own);
+    if (!(radius > straight * size)) return std::nullopt;
+    const glm::dvec3 across = glm::cross(shape.axis, own / radius);
+    if (std::abs(glm::dot(across, curve.u)) + std::abs(glm::dot(across, curve.v)) > straight * size)
+        return std::nullopt;
+    const glm::dvec3 meridian = glm::normalize(out - glm::dot(out, shape.axis) * shape.axis);
+    const auto turned = [&](const glm::dvec3& v) {
+        return glm::dot(v, shape.axis) * shape.axis + glm::dot(v, own) / radius * meridian;
+    };
+    return SurfaceCurve{.kind = SurfaceCurve::Kind::ellipse,
+                        .point = shape.point + turned(curve.point - shape.point),
+                        .u = turned(curve.u),
+                        .v = turned(curve.v)};
+}
+
+std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const PlacedSurface& placed,
+                                          glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at) {
+    if (shape.kind != SurfaceShape::Kind::revolution) return std::nullopt;
+    const glm::dmat4x3& m = placed.model_from_shape;
+    const glm::dmat3 axes{m[0], m[1], m[2]};
+    const Plane plane{glm::inverse(axes) * (point - m[3]),
+                      glm::normalize(glm::transpose(axes) * normal)};
+    std::optional<SurfaceCurve> curve = section_of(shape, plane, at);
+    if (!curve) return std::nullopt;
+    curve->point = m * glm::dvec4{curve->point, 1};
+    curve->u = axes * curve->u;
+    curve->v = axes * curve->v;
+    return curve;
+}
+
+} // namespace lineatlas
