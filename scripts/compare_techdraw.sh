@@ -19,10 +19,14 @@ figure() { # TABLE ROW
     sed -n "s/^$2 *\([0-9.]*\) %.*/\1/p" "$1"
 }
 
-report() { # PROGRAM SECONDS MEGABYTES DRAWING
+pieces() { # SVG; its paths, and their arcs
+    echo "$(grep -o '<path' "$1" | wc -l) | $(grep -o ' d="[^"]*"' "$1" | tr -cd A | wc -c)"
+}
+
+report() { # PROGRAM SECONDS MEGABYTES SVG DRAWING
     local table=$folder/$name-$1.txt
-    "$tool" check "$4" "$model" --worst 20 >"$table"
-    printf '| %s | %s | %s | %s | %s / %s | %s / %s |\n' "$name" "$1" "$2" "$3" \
+    "$tool" check "$5" "$model" --worst 20 >"$table"
+    printf '| %s | %s | %s | %s | %s | %s / %s | %s / %s |\n' "$name" "$1" "$2" "$3" "$(pieces "$4")" \
         "$(figure "$table" "missed within 1.5 px")" "$(figure "$table" "false within 1.5 px")" \
         "$(figure "$table" "missed within 0.5 px")" "$(figure "$table" "false within 0.5 px")"
 }
@@ -35,8 +39,8 @@ timed() { # COMMAND...; leaves seconds, on the clock and of processors, and MB
 }
 
 mkdir -p "$folder"
-echo "| model | program | seconds, file to SVG | of processors | MB | missed / false % at 1.5 px | at 0.5 px |"
-echo "|---|---|---|---|---|---|---|"
+echo "| model | program | seconds, file to SVG | of processors | MB | paths | arcs | missed / false % at 1.5 px | at 0.5 px |"
+echo "|---|---|---|---|---|---|---|---|---|"
 for model; do
     name=$(basename "$model")
     # As a user would; and with surfaces as fine as exact ones look, for the rays.
@@ -44,8 +48,8 @@ for model; do
     timed "${draw[@]}" -o "$folder/$name.svg"
     "${draw[@]}" -o "$folder/$name.json" --lines crease,boundary,silhouette \
         --deflection "${DEFLECTION:-0.01}" >/dev/null 2>&1
-    report lineatlas "$seconds" "$megabytes" "$folder/$name.json"
+    report lineatlas "$seconds" "$megabytes" "$folder/$name.svg" "$folder/$name.json"
     timed "$python" "$root/scripts/techdraw.py" "$model" "$folder/$name-techdraw.svg"
     "$python" "$root/scripts/techdraw.py" "$model" - "$folder/$name.json" "$folder/$name-techdraw.json" >"$folder/log.txt"
-    report TechDraw "$seconds" "$megabytes" "$folder/$name-techdraw.json"
+    report TechDraw "$seconds" "$megabytes" "$folder/$name-techdraw.svg" "$folder/$name-techdraw.json"
 done
