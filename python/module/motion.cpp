@@ -9,7 +9,7 @@
 #include "process.hpp"
 #include "progress.hpp"
 
-// What of a renderer's model moves, changes its shape and is hidden.
+// Functions that move, deform and hide parts of a renderer's model.
 namespace lineatlas::python {
 namespace {
 

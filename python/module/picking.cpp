@@ -5,13 +5,13 @@
 #include "process.hpp"
 #include "views.hpp"
 
-// What is seen at a point of a picture.
+// Finds the line or face at a point of a picture.
 namespace lineatlas::python {
 namespace {
 
 using MaybeIndex = std::optional<std::uint32_t>;
 
-/// A Pick in the terms of the mesh, and of pictures with rows from the top.
+/// A Pick with indices of the mesh and with y from the top of the picture.
 struct PickedPoint {
     MaybeIndex kind{}, segment{}, path{}, triangle{}, group{};
     std::optional<std::array<std::uint32_t, 2>> edge{};
