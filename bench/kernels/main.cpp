@@ -1,4 +1,4 @@
-// lineatlas-bench-kernels: every kernel beside its rivals, from 2^14 to 2^24 elements.
+// lineatlas-bench-kernels: times every kernel, and rivals of some, from 2^14 to 2^24 elements.
 //
 // The time is the mean wall-clock time of a run, including the wait for the device.
 // bytes_per_second and share_of_copy come from the median, which other work on the machine affects
