@@ -358,16 +358,16 @@ void bind_mesh(py::module_& module) {
                                "(k, 2) uint32 indices of positions for each kind that there is.")
         .def_property_readonly("notes", &notes,
                                "What was repaired or left out when the file was read.")
-        .def_readonly("origin", &Model::origin,
-                      "What was taken off the positions that were given, or stood in the file: "
-                      "zero, unless\nthey lie so far from zero, compared with their size, that "
-                      "float32 could not hold\nthem there. Points, views and matrices that go with "
-                      "the mesh are about it: given\nplaces less the origin. So is a style's focus "
-                      "in the scene.")
+        .def_readonly(
+            "origin", &Model::origin,
+            "The origin that was subtracted from all positions. It is zero unless these lie so\n"
+            "far from zero, compared with their size, that float32 would lose digits.\n"
+            "Points, views and matrices, and the focus of a style in the scene, are\n"
+            "relative to it.")
         .def_property_readonly(
             "volume", [](const Model& model) { return enclosed_volume(model.mesh); },
-            "What the triangles enclose, in cubes of the unit; negative where they are turned "
-            "inside\nout, None where they are not closed.")
+            "The volume inside the triangles, in cubes of the unit; negative if they are inside "
+            "out,\nNone if they are not closed.")
         .def("__repr__", &describe);
     bind_section(mesh);
     bind_explode(mesh);

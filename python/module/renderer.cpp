@@ -326,21 +326,16 @@ void bind_renderer(py::module_& module) {
     py::class_<Drawer> renderer(
         module, "Renderer",
         "Draws a model, or the mesh of a file, as often as wanted.\n\n"
-        "Keep it for several pictures: what is slow is done once. From the first picture on it "
-        "has\n"
-        "an OpenGL context of its own, without a window, and leaves what is current on the thread\n"
-        "as it is; intervals and paths need none. Any thread may call it; calls wait for each\n"
-        "other, and several renderers work at the same time.\n\n"
+        "Keep it for several pictures, because slow work is done once. The first picture makes\n"
+        "an OpenGL context without a window; the thread's own context stays current. Intervals\n"
+        "and paths need no context. Any thread may call it; calls wait for each other, and\n"
+        "several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
         "crease: edges bent by more degrees are creases; \"auto\": by more than 28.8, except\n"
-        "noise of scanned or sculpted surfaces and seams. silhouettes: along edges of the\n"
-        "\"mesh\", \"smooth\" by its normals, or \"auto\": smooth where the surface is, as in "
-        "scans;\n"
-        "none: \"auto\" of files with normals of their surfaces, else \"mesh\". separate_objects: "
-        "what\n"
-        "Mesh.triangle_object\n"
-        "or groups of one name hold moves on its own (set_transforms(), hide()). progress: called "
-        "with\n"
+        "noise of scanned or sculpted surfaces and seams. silhouettes: \"mesh\" along edges,\n"
+        "\"smooth\" by normals of the surface, \"auto\" (default) smooth on scans and on surfaces\n"
+        "of STEP, IGES and BREP files. separate_objects: the objects of Mesh.triangle_object, or\n"
+        "groups of one name, can move and hide (set_transforms(), hide()). progress: called with\n"
         "the share that is done, 0 to 1, here and in other methods; Cancelled is raised once it\n"
         "returns False. compute, device, interop: as in `lineatlas draw --help`. one_picture: no\n"
         "driver of OpenCL is started beside a software GL, which takes longer than a picture.");
@@ -357,7 +352,7 @@ void bind_renderer(py::module_& module) {
     renderer
         .def_property_readonly("description", &description,
                                "The backend and device in use, for people.")
-        .def("close", &close, "Gives back all that it holds. As does the end of a `with` block.")
+        .def("close", &close, "Frees everything. The end of a `with` block does the same.")
         .def(
             "__enter__", [](const py::object& self) { return self; }, "For `with`.")
         .def(
