@@ -435,7 +435,7 @@ TEST_F(Gltf, HostileNumbersAreRefused) {
         {R"([{"mesh":0}])", R"([{"mesh":0,"children":[0]}])", "is part of itself"},
         {R"([{"mesh":0}])", R"([{"children":[1]},{"children":[0]}])", "is part of itself"},
         {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1]}])", "no list of 3 numbers"},
-        {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1,"x"]}])", "something else than numbers"},
+        {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1,"x"]}])", "must hold numbers alone"},
         {R"([{"mesh":0}])", R"({"mesh":0})", "are no list"},
         {R"([{"mesh":0}])", R"([7])", "is no object"},
         {R"("primitives":[)", R"("primitives":[[],)", "is no object"},
