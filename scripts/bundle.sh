@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Packs build/bundle with every library it needs into a folder: scripts/bundle.sh DIR
-# What must be built for it: scripts/bundle.sh --targets
+# Packs build/bundle with all needed libraries into a folder: scripts/bundle.sh DIR
+# Lists the targets to build for it: scripts/bundle.sh --targets
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$root/build/bundle
 most_megabytes=60
 programs=(lineatlas lineatlas-check lineatlas-bench-{frames,kernels,interop})
-tests=({sharing_modes,stages,compute,pictures}_test) # what bench/check/parts.cpp runs
+tests=({sharing_modes,stages,compute,pictures}_test) # the tests that bench/check/parts.cpp runs
 
 if [ "${1:-}" = --targets ]; then
     echo "${programs[@]}" "${tests[@]}"
@@ -25,7 +25,7 @@ rm -rf "$target"
 mkdir -p "$target"/{bin,tests,lib/lineatlas,share/docs,share/licenses}
 target=$(cd "$target" && pwd)
 
-# Libraries that the machine brings: libc with its loader, and drivers.
+# True for libraries that every machine has: libc with its loader, and drivers.
 is_of_the_machine() {
     case $1 in
     ld-linux* | linux-vdso* | libc.so* | libm.so* | libdl.so* | libpthread.so* | librt.so*) ;;
@@ -34,7 +34,8 @@ is_of_the_machine() {
     esac
 }
 
-# Libraries that are used only if the machine has none, or too old ones (lib/environment.sh): its drivers need its own.
+# The fallback folder of a library. Fallbacks are only used if the machine's own library is missing or too old
+# (lib/environment.sh), because the machine's drivers need its own libraries.
 fallback_for() {
     case $1 in
     libstdc++.so* | libgcc_s.so*) echo stdc++ ;;
@@ -43,14 +44,14 @@ fallback_for() {
 
 add_license() { # LIBRARY
     local package
-    # Packages may call /usr/lib /lib.
+    # A package may list /lib instead of /usr/lib.
     package=$(dpkg-query -S "*/x86_64-linux-gnu/$(basename "$1")" 2>/dev/null | head -n 1 | cut -d: -f1) || true
     if [ -n "$package" ]; then
         cp -f "/usr/share/doc/$package/copyright" "$target/share/licenses/$package"
     fi
 }
 
-# ldd lists what the libraries need, too.
+# Copies all libraries of a program. ldd also lists the libraries of libraries.
 add_libraries_of() { # PROGRAM
     local name path folder
     while read -r name path; do
@@ -73,8 +74,8 @@ for file in "$target"/bin/* "$target"/tests/* "$target/lib/lineatlas/lineatlas-p
     add_libraries_of "$file"
 done
 
-# The dispatchers in front of drivers of GL, which come alone where a machine is made for computing,
-# and of OpenCL. Programs open them at run time.
+# The dispatchers in front of drivers of GL and OpenCL. Programs open them at run time. Machines for
+# computing often have drivers of GL without dispatchers.
 mkdir -p "$target"/lib/fallback/{gl,opencl}
 for name in gl/libEGL.so.1 gl/libOpenGL.so.0 gl/libGLdispatch.so.0 opencl/libOpenCL.so.1; do
     folder=$target/lib/fallback/$(dirname "$name")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes a bundle of build/bundle, moves it, and runs the parts of its check that end soon. A test of
-# its own beside the suite: what it packs is a second build.
+# Makes a bundle of build/bundle, moves it, and runs the short parts of its check. It is no part of the
+# suite, because it needs a second build.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 folder=$(mktemp -d)

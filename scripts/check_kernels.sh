@@ -2,14 +2,13 @@
 # Runs every kernel under Oclgrind, an OpenCL device that watches each access:
 #   check_kernels.sh PROGRAM [ARGS]     PROGRAM is the built kernel_check
 # Fails on any report (access outside a buffer, race, wrong API call), on a result that depends on
-# memory which nobody has written, and if a kernel of kernels/ did not run.
+# uninitialised memory, and if a kernel of kernels/ did not run.
 #
-# Oclgrind's own --uninitialized is of no use here: that of Debian 12 (21.10, LLVM 14) reads the
-# mask of every shuffle of a vector as an operand, which LLVM no longer has, and so reports what is
-# written (https://github.com/jrprice/Oclgrind/issues/126) or crashes. Kernels that read memory
-# which nobody has written are found by the program itself instead, see tests/compute/kernel_check.cpp; a
-# variable of a kernel that is read before it is set is not.
-# Nor is --max-errors: with it 21.10 leaves the log empty.
+# Oclgrind's option --uninitialized does not work here. The version of Debian 12 (21.10, LLVM 14) takes
+# the mask of every vector shuffle for an operand, reports initialised memory
+# (https://github.com/jrprice/Oclgrind/issues/126) or crashes. So PROGRAM itself finds reads of
+# uninitialised buffers (tests/compute/kernel_check.cpp). Nothing finds reads of uninitialised
+# variables. The option --max-errors does not work either: with it 21.10 leaves the log empty.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if ! command -v oclgrind >/dev/null; then

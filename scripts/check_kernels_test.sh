@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check_kernels.sh must find what it is there to find: each error is planted in a copy of the
-# kernels.   check_kernels_test.sh PROGRAM     PROGRAM is the built kernel_check
+# check_kernels.sh must find errors that are planted in a copy of the kernels:
+#   check_kernels_test.sh PROGRAM     PROGRAM is the built kernel_check
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program=$1
@@ -34,6 +34,6 @@ expect "a kernel that does not run" pyramid.cl "KERNEL(pyramid" \
     "#define unused_tables(in, out, inout, unordered) in(float, depth)
 KERNEL(unused, CountParameters) {}
 KERNEL(pyramid" "did not run: .*unused"
-# What the kernel reads there is chance. It decides whether the kernel writes there too, and whether Oclgrind survives.
+# The kernel reads a random value there. The value decides whether the kernel also writes there, and whether Oclgrind survives.
 expect "a stroke beyond an atlas that is too small" filter.cl \
     "return is_in_atlas(work->capacity, s, l) ? l : 0u;" "return l;" "Invalid (read|write)|failed under Oclgrind"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Names commits that break the rules of CONTRIBUTING.md: commits.py [SINCE]. Without SINCE those that the branch's upstream
-lacks. Exit code 0: none, 1: some, 2: there is no such commit."""
+"""Names commits that break the rules of CONTRIBUTING.md: commits.py [SINCE]. Without SINCE it checks the commits that
+the branch's upstream lacks. Exit code 0: no commit breaks a rule, 1: some do, 2: SINCE is no commit."""
 
 import re
 import subprocess
@@ -8,7 +8,7 @@ import sys
 
 LONGEST = 72
 
-# Words that begin a second thing done. Those of the second list are nouns as well: only after a comma they are verbs.
+# Verbs that begin a second subject. Words of the second list are also nouns; after a comma they are verbs.
 VERBS = """add allow ask build calculate choose close compile describe divide draw find fix give heed hold include join keep
 leave let load make measure mend move pack put read refuse remove rename replace run say send sort spare split stop take teach
 tell throw try turn update use wait write"""
@@ -17,7 +17,7 @@ SECOND = re.compile(rf"; |,? and ({'|'.join(VERBS.split())}) |, and ({'|'.join(N
 
 
 def faults(title, body):
-    """What is wrong with a commit's message, in words."""
+    """The rules that a commit's message breaks, in words."""
     found = []
     if len(title) > LONGEST:
         found.append(f"title of {len(title)} letters")

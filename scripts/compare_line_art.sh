@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Drawings of the built-in scenes by lineatlas, by its add-on in Blender, and by Blender's Line Art and Freestyle, all
-# checked by rays: scripts/compare_line_art.sh [FOLDER [SCENE...]]
-# PROGRAMS="addon line_art freestyle" are run beside lineatlas; Freestyle takes 7 GB and many minutes on the ship.
+# Draws the built-in scenes by lineatlas, by its add-on in Blender, and by Blender's Line Art and Freestyle. Checks all
+# drawings by rays: scripts/compare_line_art.sh [FOLDER [SCENE...]]
+# PROGRAMS="addon line_art freestyle" chooses the rivals. Freestyle takes 7 GB and many minutes for the ship.
 # Needs Blender 3.3 or newer (Debian: apt install blender) and a build of lineatlas with its Python package and its module
 # for rays.
 set -euo pipefail
@@ -12,7 +12,7 @@ folder=${1:-$root/build/line_art}
 shift $(($# > 0 ? 1 : 0))
 scenes=("$@")
 ((${#scenes[@]})) || scenes=(clevis house ship office)
-lines=crease,boundary,silhouette # that all of them know
+lines=crease,boundary,silhouette # kinds that all programs know
 export LINEATLAS_PYTHONPATH=${LINEATLAS_PYTHONPATH-$root/build/release/python}
 
 for program in "$tool" blender; do
@@ -22,12 +22,12 @@ for program in "$tool" blender; do
     fi
 done
 
-# From within, as bench quality --paths looks at them.
+# The view from within a scene, as in bench quality --paths.
 inside() { # SCENE
     case $1 in
     clevis) echo --eye 0.09,0.05,0 --target 0,0.06,0 --fov 60 ;;
     house) echo --eye -3.6,2.8,2.7 --target 4,2,-3 --fov 60 ;;
-    *) # the drawing says where its path has led
+    *) # the drawing of lineatlas tells the camera
         "$tool" draw --scene "$1" --at 0.3 --no-tags -o "$folder/inside.json" >/dev/null
         grep -om1 -- '--eye [^"]*' "$folder/inside.json"
         ;;

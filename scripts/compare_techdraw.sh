@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Parts and assemblies of exact surfaces as isometric drawings by lineatlas and by FreeCAD's TechDraw, from file to SVG, and both
-# checked by rays: scripts/compare_techdraw.sh FOLDER MODEL...
+# Compares isometric drawings by lineatlas and by FreeCAD's TechDraw, of models with exact surfaces, from file to SVG. Checks
+# both by rays: scripts/compare_techdraw.sh FOLDER MODEL...
 # Needs FreeCAD as a Python module (Debian: apt install freecad-python3) and a build of lineatlas with its module for rays.
 set -euo pipefail
 export LC_ALL=C
@@ -43,7 +43,7 @@ echo "| model | program | seconds, file to SVG | of processors | MB | paths | ar
 echo "|---|---|---|---|---|---|---|---|---|"
 for model; do
     name=$(basename "$model")
-    # As a user would; and with surfaces as fine as exact ones look, for the rays.
+    # Draws as a user would. A second drawing has very fine triangles, which rays need.
     draw=("$tool" draw "$model" --size 1024x768 --view isometric)
     timed "${draw[@]}" -o "$folder/$name.svg"
     "${draw[@]}" -o "$folder/$name.json" --lines crease,boundary,silhouette \

@@ -1,15 +1,16 @@
-# Sourced: a Debian in a folder, and commands in it. Needs root, mmdebstrap and a mirror.
+# Functions that install a Debian in a folder and run commands in it. Needs root, mmdebstrap and a mirror.
 # shellcheck shell=bash
 mirror=${LINEATLAS_DEBIAN_MIRROR:-http://deb.debian.org/debian}
 [ "$(id -u)" = 0 ] || { echo "making a root folder and entering it needs root" >&2; exit 1; }
 
-# The smallest there is. Mirrors that keep a day's state (snapshot.debian.org) are old by their dates.
+# Installs a minimal Debian. Expired dates are allowed, because mirrors of past days (snapshot.debian.org) have them.
 make_debian() { # SUITE TARGET (a folder, or a .tar)
     mmdebstrap --variant=minbase --mode=root --aptopt='Acquire::Check-Valid-Until "false"' \
         "$1" "$2" "$mirror"
 }
 
-# /proc for processes that start themselves anew, /sys for PoCL. Mounts go with the last process.
+# Runs a command in a root folder. Processes that start themselves again need /proc, PoCL needs /sys. The mounts end with the
+# last process.
 enter() { # ROOT COMMAND...
     # shellcheck disable=SC2016 # the inner shell's
     unshare --mount --pid --fork sh -ec 'root=$0

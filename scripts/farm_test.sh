@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# ./run farm-test: a real Slurm on this one machine draws a sequence as an array of 8 tasks, of which
-# one is killed in the middle and requeued; at the end every frame equals that of one process, byte
-# by byte. The same again by two processes at once, and with GNU parallel, killed and started again.
+# ./run farm-test: a real Slurm on this machine draws a sequence as an array of 8 tasks. One task is
+# killed in the middle and requeued. In the end all frames must equal those of one process, byte by
+# byte. The same is tried with two processes at the same time, and with GNU parallel, which is killed
+# and started again.
 set -euo pipefail
 
 tool=$PWD/build/release/lineatlas
@@ -94,7 +95,7 @@ export LINEATLAS=$tool
 cd "$folder"
 job=$(sbatch --parsable "$jobs/sequence.sbatch" "${sequence[@]}" -o "$folder/slurm/turn.%04d.png")
 wait_for 120 "the first frames" at_least "$folder/slurm" 4
-# One task is killed as an operator would, in the middle of a frame, and put back into the queue.
+# Kills one task in the middle of a frame and requeues it, as an operator would.
 victim=$(squeue -h -r -t RUNNING -j "$job" -o %i | head -n 1)
 [ -n "$victim" ] || fail "no task runs that could be killed"
 scontrol requeue "$victim" || fail "$victim could not be requeued"
@@ -106,14 +107,14 @@ bad=$(task_state "$job" | grep -vc COMPLETED || true)
 [ "$bad" = 0 ] || fail "$bad tasks did not complete"
 same "$folder/slurm" "Slurm, 8 tasks, one requeued"
 
-# The same work twice at the same time on the same folder.
+# Two processes do the same work in the same folder at the same time.
 "$tool" draw "${sequence[@]}" -o "$folder/twice/turn.%04d.png" --resume 2>/dev/null &
 first=$!
 "$tool" draw "${sequence[@]}" -o "$folder/twice/turn.%04d.png" --resume 2>/dev/null
 wait "$first"
 same "$folder/twice" "two processes with the same frames"
 
-# GNU parallel; everything is killed once and started again.
+# GNU parallel: all its processes are killed and started again.
 PARALLEL="--jobs 2" setsid "$jobs/sequence_parallel.sh" 8 "${sequence[@]}" \
     -o "$folder/parallel/turn.%04d.png" 2>/dev/null &
 group=$!
@@ -124,5 +125,5 @@ pkill -KILL -f "$folder/parallel/" || true
 echo "farm-test: parallel was killed at frame $(frames_there "$folder/parallel")"
 PARALLEL="--jobs 2" "$jobs/sequence_parallel.sh" 8 "${sequence[@]}" \
     -o "$folder/parallel/turn.%04d.png" 2>/dev/null
-find "$folder/parallel" -name '.lineatlas-*.part' -delete # of processes that were killed
+find "$folder/parallel" -name '.lineatlas-*.part' -delete # left by killed processes
 same "$folder/parallel" "GNU parallel, killed and started again"

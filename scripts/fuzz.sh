@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./run fuzz TARGET [--seconds N]: libFuzzer on one target. What it learns is kept in build/fuzz/corpus;
-# an input that breaks something is left in build/fuzz/findings and ends the run.
+# ./run fuzz TARGET [--seconds N]: runs libFuzzer on one target. The corpus stays in build/fuzz/corpus. An
+# input that breaks something goes to build/fuzz/findings and ends the run.
 set -euo pipefail
 
 seconds=60
@@ -29,12 +29,12 @@ fi
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null
 cmake --build build/fuzz --target "fuzz_$target" -- --quiet
 export LINEATLAS_MODULE_DIR=$PWD/build/fuzz/lib/lineatlas
-# Open CASCADE crashes on damaged files, and the tool's reading process takes the crash. So the fuzzer goes on after a crash,
-# and only an input that the tool does not answer in one line is a finding.
+# Open CASCADE crashes on damaged files. In the tool only the reading process crashes. So the fuzzer goes on after a crash,
+# and an input is a finding only if the tool does not answer it in one line.
 by_itself=()
 replayed=
 case $target in
-3mf) # lib3mf leaves some bytes of every archive that it reads
+3mf) # lib3mf leaks some bytes of every archive that it reads
     by_itself=(-detect_leaks=0)
     export ASAN_OPTIONS=detect_leaks=0
     ;;

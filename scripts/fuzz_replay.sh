@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/fuzz_replay.sh EXTENSION FOLDER: the tool reads every file of the folder as one of this extension. It
-# must read or refuse it: exit code 0 or 1, and one line at most. Says how many of each there were.
+# scripts/fuzz_replay.sh EXTENSION FOLDER: lets the tool read every file of the folder with this extension. The
+# tool must read or refuse each file: exit code 0 or 1, and at most one line. Prints the two counts.
 set -euo pipefail
 
 extension=$1

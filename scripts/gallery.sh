@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Draws every style and every effect into build/gallery, with a sheet of each, and the small pictures of
-# docs/gallery.md into docs/gallery. ./run gallery [SHEET...] calls this; without names it draws all.
+# docs/gallery.md into docs/gallery. ./run gallery [SHEET...] calls this script; without names it draws
+# all sheets.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -8,8 +9,8 @@ out=build/gallery
 scenes=(clevis house ship office)
 styles=(technical ink pencil charcoal blueprint haloed)
 
-# What is drawn: a sheet, the picture's name in it, and the options of `lineatlas draw`; "chart" is two lines,
-# a wave and a zigzag.
+# The drawings: a sheet, the picture's name in it, and the options of `lineatlas draw`. "chart" is a model of
+# two lines, a wave and a zigzag.
 effects='
 overshoot  none          --scene house --width 1.3
 overshoot  overshoot     --scene house --width 1.3 --overshoot 7
@@ -78,7 +79,7 @@ fill       2  480x400+480+60  fill/lambert fill/toon
 strokes    1  960x80+0+0      pens/fine pens/pencil pens/charcoal pens/brush pens/dotted caps/taper joins/bevel profiles/swell
 '
 
-# Two lines as an OBJ file.
+# Writes the two lines of "chart" as an OBJ file.
 chart() {
     awk 'BEGIN {
         for (i = 0; i <= 60; i++) printf "v %g %g 0\n", 0.15 * i, 0.45 * sin(i * 3.1416 / 20)

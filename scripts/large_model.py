@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a large model as a binary PLY file: a hilly square with noise, nearly every edge of which is a line.
+"""Writes a large model as a binary PLY file: a hilly square with noise. Nearly every edge is a line.
 
 usage: scripts/large_model.py FILE [SIDE]
 
@@ -31,7 +31,7 @@ def hills(side):
 
 
 def triangles(side):
-    """Two for every square of the grid."""
+    """Two triangles for every square of the grid."""
     row = np.arange(side)
     corner = (row[:, None] * (side + 1) + row[None, :]).ravel()
     above = corner + side + 1

@@ -11,7 +11,7 @@ import time
 import bpy
 from mathutils import Matrix, Vector
 
-crease = math.radians(30)  # edges bent by more, as lineatlas has it
+crease = math.radians(30)  # edges bent by more are creases, as in lineatlas
 
 
 def camera_of(description):
@@ -25,7 +25,7 @@ def camera_of(description):
 
 
 def read_obj(name):
-    """Positions, each once, and triangles, as `lineatlas scene` writes them."""
+    """Positions without repeats, and triangles, of a file that `lineatlas scene` wrote."""
     index_of, of_file, faces = {}, [], []
     with open(name) as file:
         for line in file:
@@ -108,7 +108,7 @@ Operators.create(TrueUP1D(), [Collect()])
 
 def freestyle(scene, like):
     bpy.app.driver_namespace["paths"] = []
-    scene.render.engine = "CYCLES"  # draws without a display
+    scene.render.engine = "CYCLES"  # Cycles needs no display
     scene.cycles.samples = 1
     scene.cycles.use_denoising = False
     scene.render.use_freestyle = True

@@ -67,14 +67,14 @@ def marched(cells=60, field=field, noise=0.0):
     corner = np.array([(x * n + y) * n + z for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     tetrahedra = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)]
     base = np.arange(n ** 3).reshape(n, n, n)[:-1, :-1, :-1].reshape(-1)
-    found = []  # corners of triangles as pairs of grid places
+    found = []  # corners of triangles, each between two places of the grid
 
     def add(*pairs):
         found.append(np.stack([np.sort(np.stack(pair, -1), -1) for pair in pairs], 1))
 
     for tetrahedron in tetrahedra:
         v = np.stack([base + corner[k] for k in tetrahedron], -1)
-        order = np.argsort(value[v] > 0, axis=1, kind="stable")  # inner ones first
+        order = np.argsort(value[v] > 0, axis=1, kind="stable")  # inner corners first
         inner = (value[v] <= 0).sum(1)
         v = np.take_along_axis(v, order, 1)
         a, b, c, d = (v[inner == 1].T)
@@ -90,7 +90,7 @@ def marched(cells=60, field=field, noise=0.0):
     share = (low / (low - high))[:, None]
     positions = place[names[:, 0]] * (1 - share) + place[names[:, 1]] * share
     triangles = index.reshape(-1, 3)
-    # Turned so that they face where the field grows.
+    # Orients the triangles towards larger values of the field.
     corners = positions[triangles]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     middle = corners.mean(1)

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# ./run package-test [--system SUITE] [--blender]: a clean Debian of this system's name, or of SUITE,
-# gets the wheel and, in another root, the packages; each is used as a new user would and taken off
-# again, and nothing of it is left. Needs what `./run package` and `./run wheel` have built there.
-# Prints how long each step takes. With --blender, Blender's 300 packages are tried, too.
+# ./run package-test [--system SUITE] [--blender]: installs the wheel in a clean Debian of this machine's
+# suite, or of SUITE, and the packages in a second one. Uses each as a new user would, removes it, and
+# checks that nothing is left. Needs the results of `./run package` and `./run wheel`. Prints the time of
+# each step. With --blender it also tries the add-on with Blender's 300 packages.
 set -euo pipefail
 
 source=$PWD
@@ -60,7 +60,7 @@ nothing_left() {
 
 step "a clean $suite" make_debian "$suite" "$folder/clean.tar"
 
-# The wheel, where there is neither OpenGL nor OpenCL, and the machine's Python only.
+# The wheel with the system's Python, without OpenGL and OpenCL.
 step "the root for the wheel" make_root wheel
 step "Python and NumPy" install --no-install-recommends python3-venv python3-numpy
 cp build/wheel/*.whl "$root/root"
@@ -94,7 +94,7 @@ rm -rf "$root"
 step "the root for packages" make_root packages
 mkdir "$root/packages"
 cp build/package/*.deb "$root/packages"
-own() { # NAME...: their files, without the version
+own() { # NAME...: files of these packages, without the version
     local name
     for name in "$@"; do basename "$root"/packages/"$name"_*.deb | sed 's,^,/packages/,'; done
 }
@@ -106,7 +106,7 @@ step "lineatlas draw to SVG" enter "$root" lineatlas draw /root/cube.obj -o /roo
 has_paths cube.svg
 step "lineatlas devices" enter "$root" lineatlas devices
 grep -q opencl "$log" || fail "no OpenCL device"
-if [ "$suite" = bookworm ]; then # the page shows what its PoCL prints
+if [ "$suite" = bookworm ]; then # the page shows output of bookworm's PoCL
     cp tests/package/walk.sh "$root/root"
     step "objdump for it" install --no-install-recommends binutils
     step "the walk of profiling.md" enter "$root" /root/walk.sh /usr/share/doc/lineatlas/docs/profiling.md \
@@ -117,7 +117,7 @@ step "lineatlas view" enter "$root" lineatlas view --help
 if enter "$root" lineatlas view >"$log" 2>&1; then fail "a viewer without a display"; fi
 (($(wc -l <"$log") <= 2)) || fail "the viewer does not say in one line that there is no display"
 step "a display that nobody sees" install --no-install-recommends xvfb
-# What the display shows lies in a file: white paper with black lines once the window is there.
+# The display writes its picture to a file. Once the window is open it has white paper with black lines.
 # shellcheck disable=SC2016
 step "the viewer in a window" enter "$root" sh -ec 'cd /root
 mkdir screen

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Which test sees a wrong formula: one is planted in every stage of kernels/, in a copy, and the
-# tests of known answers run on it.   planted_formulas.sh FOLDER [STAGE...]     FOLDER has the built tests;
-# all stages, or these.
-# Ends with 1 if a stage's tests don't see theirs.
+# Plants a wrong formula in every stage, in a copy of kernels/, and runs the tests with known answers on
+# it:   planted_formulas.sh FOLDER [STAGE...]     FOLDER has the built tests. Without STAGE all stages.
+# Prints the test that fails for each. Ends with 1 if the tests of a stage all pass.
 set -euo pipefail
 tests=$(realpath "$1")
 shift
@@ -27,7 +26,7 @@ plant() { # STAGE FILE FROM TO PROGRAM FILTER: with FROM replaced by TO in FILE 
         return
     fi
     seen=$(sed -nE 's/^\[  FAILED  \] ([^ ,]*).* \([0-9]+ ms\)$/\1/p' "$work/output" | sort -u)
-    # A test may end the program, then there is no verdict.
+    # A test that ends the program has no verdict.
     [ -n "$seen" ] || seen=$(sed -nE 's/^\[ RUN      \] (.*)$/\1/p' "$work/output" | tail -1)
     if [ -z "$seen" ]; then
         tail -5 "$work/output"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# ./run system SUITE [COMMAND...]: what a new user of another Debian sees. A system of that name
-# (bookworm, trixie, forky) in build/systems/SUITE, made once, gets a copy of this checkout and runs
-# the README's two commands there, or COMMAND. What is built there stays until the folder is removed.
+# ./run system SUITE [COMMAND...]: builds as a new user of another Debian would. Makes a system of that
+# suite (bookworm, trixie, forky) in build/systems/SUITE unless it exists. Copies this checkout there and
+# runs the README's two commands, or COMMAND. The build stays there until you remove the folder.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/scripts/debian_root.sh"

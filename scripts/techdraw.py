@@ -59,7 +59,7 @@ def lines_of(shape, like, deviation):
     x_axis, y_axis = axes_of(back)
     groups = TechDraw.projectEx(shape, FreeCAD.Vector(*back))
     paths = []
-    for group in (groups[0], groups[3]):  # V, VO
+    for group in (groups[0], groups[3]):  # visible sharp edges (V) and visible outlines (VO)
         for edge in group.Edges:
             points = []
             for at in edge.discretize(Deflection=deviation):

@@ -1,7 +1,7 @@
-// Compares the npm package with what pages of three.js do without it, for models in files: EdgesGeometry (30 degrees) seen through a
-// depth buffer, here one of 24 bits with glPolygonOffset(1, 1), a sample a pixel. Prints milliseconds from arrays to paths (the least
-// of six runs), paths, and what rays (lineatlas check) find missed and false within half a pixel, in % of what is visible.
-// Usage: web_rivals.mjs WEB TOOL MODEL...; WEB is the folder where `package` and `node_modules` with three are, TOOL the native tool.
+// Compares the npm package with plain three.js, for models in files. Plain three.js is EdgesGeometry (30 degrees) tested against a
+// depth buffer of 24 bits with glPolygonOffset(1, 1), one sample per pixel. Prints the milliseconds from arrays to paths (the least of
+// six runs), the number of paths, and the missed and false lengths by rays (lineatlas check) within half a pixel, in % of the visible
+// length. Usage: web_rivals.mjs WEB TOOL MODEL... WEB is the folder with `package` and `node_modules` (with three), TOOL the native tool.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -16,7 +16,7 @@ const { cameraOf } = await load('package/three.js');
 const size = [1024, 768], folder = mkdtempSync(join(tmpdir(), 'lineatlas-'));
 await init();
 
-/// The camera by which the tool draws the model, with the options that name it.
+/// The camera of the tool's drawing of the model, and the tool's options for it.
 function cameraFor(model) {
   const file = join(folder, 'native.json');
   execFileSync(tool, ['draw', model, '-o', file, '--size', size.join('x')], { stdio: 'ignore' });
@@ -31,7 +31,7 @@ function cameraFor(model) {
   return { camera, description };
 }
 
-/// Pixels from the upper left corner, and depth from 0 to 1.
+/// Positions in the picture: pixels from the upper left corner, and depth from 0 to 1.
 function projected(camera, positions) {
   const point = new Vector3(), out = new Float64Array(positions.length);
   for (let i = 0; i < positions.length; i += 3) {
@@ -63,7 +63,7 @@ function depthBuffer(points, indices) {
   return buffer;
 }
 
-/// What of each segment lies before the depth of its pixel.
+/// The pieces of each segment that lie before the depth of their pixels.
 function visiblePieces(ends, buffer) {
   const pieces = [];
   for (let i = 0; i < ends.length; i += 6) {
@@ -113,7 +113,7 @@ console.log('| model | triangles | way | ms | paths | missed, % | false, % |\n|-
 for (const model of models) {
   const { mesh } = readMesh(readFileSync(model), basename(model)), { camera, description } = cameraFor(model);
   const ways = [['`lineatlas`', byPackage], ['`EdgesGeometry`, depth buffer', byDepthBuffer]].map(([way, draw]) => ({ way, draw, least: Infinity }));
-  for (let run = 0; run < 6; ++run) // in turns: the machine is not always as fast
+  for (let run = 0; run < 6; ++run) // by turns, because the machine's speed varies
     for (const one of ways) {
       const start = performance.now();
       one.paths = one.draw(mesh, camera);

@@ -1,4 +1,4 @@
-// Prints what a page loads of the npm package, as it is and as servers compress it. Usage: web_size.mjs PACKAGE
+// Prints the sizes of the npm package's files that a page loads, as they are and compressed as by servers. Usage: web_size.mjs PACKAGE
 import { readFileSync } from 'node:fs';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 

@@ -1,4 +1,4 @@
-// Times the npm package in Node beside the library in one thread: milliseconds, the best of several runs.
+// Times the npm package in Node and the native library with one thread. Prints milliseconds, the best of several runs.
 // Usage: web_times.mjs PACKAGE NATIVE_DRAWINGS [SCENE...]
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -21,7 +21,7 @@ const start = performance.now();
 await init();
 console.log(`module loaded and compiled in ${(performance.now() - start).toFixed(0)} ms`);
 const table = new Map();
-for (let run = 0; run < runs; ++run) { // in turns: the machine is not always as fast
+for (let run = 0; run < runs; ++run) { // by turns, because the machine's speed varies
   const text = execFileSync('taskset', ['-c', '0', native, drawings, ...scenes], { encoding: 'utf8' });
   for (const row of text.trim().split('\n')) {
     const [name, triangles, ...times] = row.split(/ +/);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# ./run wheel: the Python package as a wheel in build/wheel, with every library it needs but those of
-# the machine: libc, the C++ library, and the drivers of OpenGL and OpenCL, which it opens when it
-# draws. It reads all models but STEP, IGES and BREP, and writes pictures as PNG: Open CASCADE and
-# OpenImageIO are larger than all the rest.
+# ./run wheel: builds the Python package as a wheel in build/wheel, with all libraries but those of the
+# machine: libc, the C++ library, and drivers of OpenGL and OpenCL, which it opens when it draws. It
+# reads all types of models but STEP, IGES and BREP, and writes pictures as PNG only: Open CASCADE and
+# OpenImageIO would be larger than all other libraries together.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$root/build/wheel/build
@@ -27,7 +27,7 @@ is_of_the_machine() {
     *) return 1 ;;
     esac
 }
-# The libraries get names of their own, since other packages in the process may bring the same ones.
+# The libraries get new names, because other packages in the process may bring libraries of the same name.
 new_name() { # libNAME.so.N
     echo "${1%%.so*}-lineatlas.so${1#*.so}"
 }
@@ -46,7 +46,7 @@ done < <(ldd "${own[@]}" | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | sor
 
 chmod -R u+w "$folder"
 strip --strip-unneeded "${own[@]}" "$folder"/lineatlas.libs/*
-# One change at a time: several at once leave patchelf 0.14 with the strings of one at another's place.
+# One change per call, because patchelf 0.14 mixes up the strings of several changes.
 # shellcheck disable=SC2016 # $ORIGIN is the loader's
 {
     patchelf --set-rpath '$ORIGIN/../lineatlas.libs' "$folder"/lineatlas/*.so

@@ -1,30 +1,30 @@
-/** Whether this browser or Node can run the module: WebAssembly with SIMD and exceptions. */
+/** True if this browser or Node can run the module, which needs WebAssembly with SIMD and exceptions. */
 export const supported: boolean;
 
 /**
- * Loads the module, once. All else must wait for it.
+ * Loads the module. Call it once, and wait for it before other calls.
  *
- * @param source Where it is: a URL, its bytes or a compiled module. By default `lineatlas.wasm` beside this file.
- * @throws Error where the module cannot be loaded, or is not {@link supported}.
+ * @param source The module: its URL, its bytes, or a compiled module. By default `lineatlas.wasm` beside this file.
+ * @throws Error if the module cannot be loaded or is not {@link supported}.
  */
 export function init(source?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module): Promise<void>;
 
-/** What a line is. */
+/** Why an edge is a line. */
 export type Kind =
   | 'crease' | 'boundary' | 'material' | 'silhouette' | 'file'
   | 'intersection' | 'section' | 'hatching' | 'ridge' | 'valley'
   | 'tangent' | 'centre' | 'trail';
 
-/** Kinds by their numbers in {@link Segments.kind}. */
+/** The kinds in the order of their numbers in {@link Segments.kind}. */
 export const kinds: readonly Kind[];
 
-/** Stands where there is no part, vertex or triangle: 0xffffffff. */
+/** The value for no part, vertex or triangle: 0xffffffff. */
 export const none: number;
 
-/** Numbers in any list; a typed array of the right type is not copied twice. */
+/** A list of numbers. A typed array of the right type saves a copy. */
 export type Numbers = ArrayLike<number>;
 
-/** Sixteen numbers by columns, or what has them as `elements`, as THREE.Matrix4 does. */
+/** Sixteen numbers by columns, or an object with these as `elements`, such as THREE.Matrix4. */
 export type Matrix = Numbers | { elements: Numbers };
 
 /** Triangles and polylines of one part of a model. Arrays are copied. */
@@ -33,58 +33,58 @@ export interface MeshArrays {
   positions?: Numbers;
   /** Floats from one vertex to the next; 3 by default. */
   stride?: number;
-  /** Three vertices for each triangle; without it vertices are corners as they come. An empty list: there is no triangle. */
+  /** Three vertices per triangle. Without indices, each three vertices in order are a triangle. An empty list: no triangles. */
   indices?: Numbers;
-  /** A number for each triangle: where it changes there is a line. */
+  /** A number per triangle. Edges between different numbers are lines of kind material. */
   materials?: Numbers;
-  /** What the numbers of `materials` are, from 0: names that stand in the files that are written. */
+  /** The names of `materials` 0, 1, ... in written files. */
   groups?: { object?: string; material?: string }[];
-  /** Places the mesh in the world. */
+  /** The transform from the mesh to the world. */
   matrix?: Matrix;
-  /** Stands in the files that are written. */
+  /** The name of the part in written files. */
   name?: string;
-  /** Lines of your own: x, y, z of their points, or, in a Uint32Array, vertices of the mesh. */
+  /** Extra lines: x, y, z of their points, or, as a Uint32Array, vertices of the mesh. */
   polylines?: (Numbers | Uint32Array)[];
 }
 
-/** Told what share is done, 0 to 1; `false` ends the call with an AbortError. It must not call this package. */
+/** Gets the share that is done, 0 to 1. Returning `false` ends the call with an AbortError. It must not call this package. */
 export type Progress = (done: number) => boolean | void;
 
-/** What {@link readMesh} found in a file. */
+/** The result of {@link readMesh}. */
 export interface LoadedMesh {
-  /** For `new Lines()`; add a `name` or a `matrix`. OBJ files have groups: their objects and materials. */
+  /** An argument for `new Lines()`; you may add a `name` or a `matrix`. OBJ files have groups for their objects and materials. */
   mesh: MeshArrays & { positions: Float32Array; indices: Uint32Array; materials?: Uint32Array; polylines?: (Float32Array | Uint32Array)[] };
-  /** Was taken off all positions: zeros, but for models so far from zero that floats could not hold them. */
+  /** Was subtracted from all positions. It is not zero for models so far from zero that floats would lose digits. */
   origin: number[];
-  /** What was repaired or left out, a line each. */
+  /** Repairs and omissions, one line each. */
   notes: string[];
 }
 
 /**
- * Reads OBJ, PLY, STL or OFF by the readers of the native tool.
+ * Reads OBJ, PLY, STL or OFF with the readers of the native tool.
  *
- * @param name Of the file: its extension says what type it is, errors name it.
- * @throws Error, one line with the name and the cause: truncated, of another type, a corner that is no vertex of the file.
+ * @param name The file's name. Its extension gives the type; errors contain the name.
+ * @throws Error with the name and the cause in one line, such as a truncated file, another type, or a corner that is no vertex.
  */
 export function readMesh(file: ArrayBuffer | ArrayBufferView, name: string): LoadedMesh;
 
 export interface LinesOptions {
-  /** Others are not looked for; all by default. */
+  /** The kinds of line to find; all by default. */
   kinds?: Kind[];
-  /** Degrees: every edge bent by more is a crease. By default 30, but for noise of scans and seams of surfaces. */
+  /** Edges bent by more than this, in degrees, are creases. By default 30, without the noise of scans and seams of surfaces. */
   creaseAngle?: number;
-  /** Where silhouettes of curved surfaces run: as the surface's own, or along edges of triangles. 'auto' by default. */
+  /** Silhouettes of curved surfaces: 'smooth' follows the surface, 'mesh' edges of triangles. 'auto' (the default) chooses. */
   silhouettes?: 'auto' | 'smooth' | 'mesh';
-  /** Nothing is joined between meshes, so that {@link Lines.setHidden} works. */
+  /** Joins nothing between meshes. {@link Lines.setHidden} needs it. */
   separateParts?: boolean;
-  /** Planes that cut the model, at most six; what lies where the normal points to is gone. */
+  /** At most six planes that cut the model. The side that the normal points to is removed. */
   sections?: { point: Numbers; normal: Numbers }[];
-  /** Between lines on the faces of cuts, model units; false: none. By default a fortieth of the model. */
+  /** Distance between hatching lines on cut faces, in model units. By default a fortieth of the cut's size; false: none. */
   hatching?: number | false;
   progress?: Progress;
 }
 
-/** A camera: matrices as three.js has them, for a picture of so many pixels. */
+/** A camera: matrices as in three.js, and the size of the picture in pixels. */
 export interface Camera {
   /** World to eye: `camera.matrixWorldInverse`. */
   view: Matrix;
@@ -92,7 +92,7 @@ export interface Camera {
   projection: Matrix;
   width: number;
   height: number;
-  /** Depth of clip space goes from 0 to 1, as WebGPU has it. */
+  /** True if the depth of clip space goes from 0 to 1, as in WebGPU. */
   zeroToOne?: boolean;
 }
 
@@ -101,7 +101,7 @@ export interface FrameOptions {
   height: number;
   /** 'front', 'back', 'left', 'right', 'top', 'bottom', 'isometric', 'dimetric', or degrees 'AZIMUTH,ELEVATION'. */
   from?: string;
-  /** The model's, a unit axis; y by default. */
+  /** The model's up axis, a unit axis; y by default. */
   up?: [number, number, number];
   projection?: 'perspective' | 'orthographic';
   /** Vertical field of view in degrees; 40 by default. */
@@ -109,48 +109,48 @@ export interface FrameOptions {
 }
 
 export interface DrawOptions {
-  /** Others are left out; all that the lines have by default. */
+  /** The kinds of line to draw; all kinds of the lines by default. */
   kinds?: Kind[];
-  /** Hidden pieces too. */
+  /** Also finds hidden pieces. */
   hidden?: boolean;
-  /** What has the background on one side is told, for styles with rules for outlines. */
+  /** Also finds outlines, which styles with rules for outlines need. */
   outlines?: boolean;
   progress?: Progress;
 }
 
-/** What is seen, or hidden, of lines: straight pieces, in the order of their paths. */
+/** Visible and hidden pieces of lines, each straight, in the order of their paths. */
 export interface Segments {
   count: number;
-  /** Six each: start and end in the world. */
+  /** Six numbers per piece: start and end in the world. */
   positions: Float32Array;
-  /** Four each: start and end in pixels from the upper left corner. */
+  /** Four numbers per piece: start and end in pixels from the upper left corner. */
   screen: Float32Array;
   /** Index into {@link kinds}. */
   kind: Uint8Array;
   /** 1: visible; 0: hidden. */
   visible: Uint8Array;
-  /** Two each: vertices of the mesh whose edge the piece is a part of, or {@link none}. */
+  /** Two numbers per piece: the vertices of its edge in the mesh, or {@link none}. */
   edge: Uint32Array;
-  /** Number of the mesh, or {@link none}. */
+  /** The index of the mesh, or {@link none}. */
   part: Uint32Array;
 }
 
 export interface WriteOptions {
-  /** Settings of a style by their keys (docs/styles.md): `{ width: 2, color: '#204060', hidden: true }`. */
+  /** Settings of a style by key (docs/styles.md): `{ width: 2, color: '#204060', hidden: true }`. */
   style?: Record<string, string | number | boolean>;
-  /** Of an SVG. */
+  /** The title of an SVG file. */
   title?: string;
-  /** Millimetres of paper that the picture is scaled to fit on. */
+  /** The size of the paper in millimetres. The picture is scaled to fit. */
   page?: { width: number; height: number };
-  /** Millimetres around the picture on a page. */
+  /** Empty millimetres around the picture on a page. */
   margin?: number;
-  /** SVG and JSON tell where each path comes from; true by default. */
+  /** Writes the source of each path to SVG and JSON; true by default. */
   tags?: boolean;
 }
 
-/** What was found by {@link Lines.pick}. */
+/** The result of {@link Lines.pick}. */
 export interface Pick {
-  /** Of a line; null: a face. */
+  /** The kind of the line; null: the result is a face. */
   kind: Kind | null;
   part: number;
   edge: [number, number];
@@ -163,39 +163,39 @@ export interface Pick {
 }
 
 /**
- * The lines of a model. Calls throw an Error with one line that says what is wrong: an index that no vertex has, a position
- * that is not finite, a camera whose matrix has no inverse, memory that does not suffice. The module lives on then.
+ * The lines of a model. Calls throw an Error with one line about the cause: an index without a vertex, a position that is not
+ * finite, a camera whose matrix has no inverse, too little memory. The module stays usable after an error.
  */
 export class Lines {
   constructor(meshes: MeshArrays | MeshArrays[], options?: LinesOptions);
-  /** Pieces of lines before any is hidden. */
+  /** Number of segments, visible or not. */
   readonly segmentCount: number;
   readonly bounds: { min: number[]; max: number[] };
-  /** Where cuts did not close, a line each. */
+  /** Cuts that did not close, one line each. */
   readonly notes: string[];
-  /** Shows all parts but these; needs `separateParts`. */
+  /** Hides these parts and shows all others. Needs `separateParts`. */
   setHidden(parts: Numbers): void;
-  /** A camera that shows all. */
+  /** A camera that shows the whole model. */
   frame(options: FrameOptions): Camera & { view: Float32Array; projection: Float32Array };
-  /** Finds what a camera sees. */
+  /** Finds the lines that a camera sees. */
   draw(camera: Camera, options?: DrawOptions): Drawing;
-  /** What is seen at a point, in pixels from the upper left corner: a line no farther than `radius` (8), else a face. */
+  /** The visible line within `radius` pixels (8 by default) of a point, else the face there. x and y: pixels from the upper left. */
   pick(camera: Camera, x: number, y: number, options?: { radius?: number; kinds?: Kind[] }): Pick | null;
-  /** Frees its memory. Lines that are forgotten are freed some day. */
+  /** Frees the memory. The garbage collector frees forgotten lines, but at no certain time. */
   dispose(): void;
 }
 
-/** What a camera sees of {@link Lines}, which must live as long. */
+/** The lines that a camera sees. The {@link Lines} must live as long. */
 export class Drawing {
   private constructor();
   readonly segmentCount: number;
-  /** A copy. */
+  /** The pieces as a copy. */
   segments(): Segments;
   /** SVG 1.1, with paths joined and simplified. */
   toSVG(options?: WriteOptions): string;
   /** DXF of AutoCAD 2004, in millimetres. */
   toDXF(options?: WriteOptions): string;
-  /** docs/vector.md */
+  /** JSON as in docs/vector.md. */
   toJSON(options?: WriteOptions): string;
   /** Frees its memory. */
   dispose(): void;

@@ -1,6 +1,6 @@
-// The lines of 3D models that one sees: what lineatlas.d.ts describes.
+// Visible lines of 3D models. lineatlas.d.ts describes the functions.
 
-// SIMD, and exceptions as browsers have had them the longest, in the smallest module that uses both.
+// The smallest module with SIMD and with exceptions of the older kind, which most browsers know.
 const probe = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 16, 1, 14, 0, 6, 123, 65, 0, 253, 15, 25, 65, 1, 253, 15, 11, 11]);
 
 export const supported = typeof WebAssembly === 'object' && WebAssembly.validate(probe);
@@ -14,17 +14,17 @@ export const none = 0xffffffff;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
 let wasm = null; // the exports of the module
-let told = null; // what the call that runs tells its progress to,
-let running = false; // whether it does that now,
-let thrown = null; // and what that threw
+let told = null; // the progress function of the current call
+let running = false; // true while that function runs
+let thrown = null; // the error that it threw
 
-// Addresses of the upper half of memory come as negative numbers.
+// Addresses in the upper half of memory arrive as negative numbers.
 const at = (Type, address, count) => new Type(wasm.memory.buffer, address >>> 0, count);
 const bytesAt = (address, size) => at(Uint8Array, address, size);
 const floatsAt = (address, count) => at(Float32Array, address, count);
 const messageOf = () => decoder.decode(bytesAt(wasm.la_message(), wasm.la_message_size()));
 
-// What C++ asks of a system: the time, and where to write what it dies of.
+// System calls of C++: the time, and output of fatal errors.
 const system = {
   clock_time_get(id, precision, to) {
     const now = BigInt(Math.round(performance.now() * 1e6));
@@ -106,7 +106,7 @@ export function init(source) {
 
 let broken = null; // why the module can no longer be used
 
-/// Calls into the module. What C++ did not see coming leaves it in an unknown state.
+/// Calls the module. After an unexpected failure of C++ the module is broken.
 function call(name, ...args) {
   if (wasm === null) throw new Error('lineatlas: call init() and wait for it first');
   if (broken !== null) throw broken;
@@ -132,7 +132,7 @@ function check(well) {
   if (!well) throw failure();
 }
 
-/// A call that takes long. The page may do all but call the module meanwhile.
+/// Makes a long call with progress. Meanwhile the page must not call the module.
 function callWithProgress(progress, name, ...args) {
   if (progress !== undefined && typeof progress !== 'function') throw new Error('lineatlas: progress must be a function');
   told = progress ?? null;
@@ -144,7 +144,7 @@ function callWithProgress(progress, name, ...args) {
   }
 }
 
-/// What a call needs in the module's memory, freed when it is over.
+/// Calls `action` with functions that put arguments into the module's memory. Frees that memory afterwards.
 function withMemory(action) {
   const taken = [];
   const put = (data) => {
@@ -175,7 +175,7 @@ function numbersOf(value, Type, what) {
   throw new Error(`lineatlas: ${what} must be a ${Type.name} or another list of numbers`);
 }
 
-/// Sixteen numbers by columns, as three.js and gl-matrix have them, in an array or in `elements`.
+/// A matrix of sixteen numbers by columns, from an array or from an object with `elements`.
 function matrixOf(value, what) {
   const numbers = numbersOf(value?.elements ?? value, Float32Array, what);
   if (numbers.length !== 16) throw new Error(`lineatlas: ${what} must have 16 numbers, not ${numbers.length}`);
@@ -199,7 +199,7 @@ function choiceOf(name, names, what) {
   return index;
 }
 
-/// A vector, or a size: numbers of which there are so many.
+/// A list of exactly `count` numbers.
 function listOf(value, count, what) {
   const numbers = numbersOf(value, Float64Array, what);
   if (numbers.length !== count) throw new Error(`lineatlas: ${what} must have ${count} numbers, not ${numbers.length}`);
@@ -230,7 +230,7 @@ function addMesh(model, mesh, number) {
       const numbers = numbersOf(value, Type, `${what}: ${key}`);
       return [put(numbers), numbers.length];
     };
-    const positions = mesh.indices?.length === 0 ? undefined : mesh.positions; // without any they would be corners as they come
+    const positions = mesh.indices?.length === 0 ? undefined : mesh.positions; // without triangles, positions must not become corners
     const matrix = mesh.matrix ? put(matrixOf(mesh.matrix, `${what}: matrix`)) : 0;
     const well = call('la_add_mesh', model, ...putText(name), ...list(positions, Float32Array, 'positions'), stride,
       ...list(mesh.indices, Uint32Array, 'indices'), ...list(mesh.materials, Uint32Array, 'materials'),
@@ -248,7 +248,7 @@ function addMesh(model, mesh, number) {
   });
 }
 
-// The lists of a file that was loaded, in the order of la_loaded().
+// The types of a loaded file's lists, in the order of la_loaded().
 const loadedLists = [Float32Array, Uint32Array, Uint32Array, Uint8Array, Uint8Array, Uint32Array, Uint32Array, Float64Array];
 
 function takeLoaded() {
@@ -307,12 +307,12 @@ function makeModel(meshes, options) {
   }
 }
 
-// What pages forget to dispose of.
+// Frees objects that pages forget to dispose of.
 const forgotten = new FinalizationRegistry(({ module, free, address }) => {
   if (module === wasm && broken === null) module[free](address);
 });
 
-/// Something in the module that has to be freed once.
+/// An object in the module that must be freed once.
 class Owned {
   #address;
   #free;
@@ -336,7 +336,7 @@ class Owned {
 
 const viewKeys = ['view', 'projection', 'width', 'height', 'zeroToOne'];
 
-/// The camera's matrices in the module's memory, with what else calls take of it.
+/// Puts the camera's matrices into the module's memory. Returns the arguments of calls for a camera.
 function putCamera(put, camera) {
   refuseUnknown(camera, viewKeys, 'camera');
   const matrices = new Float32Array(32);
@@ -422,7 +422,7 @@ function takeText() {
 const writeKeys = ['style', 'title', 'page', 'margin', 'tags'];
 
 export class Drawing extends Owned {
-  #lines; // which must not be freed before
+  #lines; // kept, because it must outlive this
   constructor(lines, address) {
     super(address, 'la_free_seen');
     this.#lines = lines;

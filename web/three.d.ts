@@ -4,43 +4,43 @@ import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { Camera, DrawOptions, MeshArrays, Segments } from './lineatlas.js';
 import type { Lines } from './worker.js';
 
-/** A three.js camera for a picture of so many pixels. */
+/** A three.js camera as a camera of lineatlas, for a picture of this size in pixels. */
 export function cameraOf(camera: ThreeCamera, width: number, height: number): Camera;
 
 /**
- * The visible meshes and lines of an object and all below it, as they are now: placed, with groups of materials, instances,
- * morphs and bones. `objects` has for each mesh the object that it is of, so that {@link Segments.part} leads back to it.
+ * The visible meshes and lines of an object and its descendants in their current state: with transforms, groups of materials,
+ * instances, morphs and bones. `objects[i]` is the object of mesh i, so it is the object of {@link Segments.part} i.
  *
  * @throws Error for a BatchedMesh.
  */
 export function meshesOf(root: Object3D, options?: { filter?: (object: Object3D) => boolean }):
   { meshes: MeshArrays[]; objects: Object3D[] };
 
-/** Segments as an object for a scene: the visible ones, or the hidden ones. Nothing hits it by raycasting. */
+/** The visible or the hidden segments as an object for a scene. Raycasting ignores the object. */
 export function lineSegmentsOf(segments: Segments, options?: { hidden?: boolean; material?: LineMaterial }): LineSegments2;
 
 export interface RestingLinesOptions {
-  /** Those to draw, when they are drawn: of a worker, so that the page goes on. */
+  /** Returns the lines to draw. They belong to a worker, so the page is not blocked. */
   lines: () => Lines;
-  /** The one that draws now. */
+  /** Returns the current camera. */
   camera: () => ThreeCamera;
-  /** Of the canvas, in pixels: width and height. */
+  /** Returns the width and height of the canvas in pixels. */
   size: () => [number, number];
   /** Milliseconds that the camera must rest; 150 by default. */
   delay?: number;
   draw?: DrawOptions;
-  /** Lines for the camera as it rests. */
+  /** Gets the lines for the resting camera. */
   onLines: (segments: Segments, camera: Camera) => void;
-  /** The lines that were shown are those of another camera now. */
+  /** Called when the camera moves, so that shown lines are out of date. */
   onMove?: () => void;
   onError?: (error: Error) => void;
 }
 
-/** Keeps lines up to date: drawn when the camera has come to rest. */
+/** Draws lines again whenever the camera has come to rest. */
 export class RestingLines {
   constructor(options: RestingLinesOptions);
-  /** To be called with every frame. */
+  /** Call this in every frame. */
   update(now?: number): void;
-  /** Draws again though the camera has not moved: other lines, other options. */
+  /** Draws again although the camera has not moved, because lines or options have changed. */
   invalidate(): void;
 }

@@ -1,4 +1,4 @@
-// What three.d.ts describes.
+// Functions for three.js. three.d.ts describes them.
 import { Matrix4, Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -17,7 +17,7 @@ export function cameraOf(camera, width, height) {
   };
 }
 
-/// Where vertices are now: morphs and bones move them.
+/// The current positions of vertices, with morphs and bones applied.
 function positionsOf(object) {
   const source = object.geometry.attributes.position;
   const moves = object.isSkinnedMesh || object.morphTargetInfluences?.some((influence) => influence !== 0);
@@ -32,7 +32,7 @@ function positionsOf(object) {
   return positions;
 }
 
-/// The vertices that are drawn, in their order.
+/// The drawn vertices in their order.
 function cornersOf({ index, attributes, drawRange }) {
   const all = index !== null ? index.array : Uint32Array.from({ length: attributes.position.count }, (_, i) => i);
   return Uint32Array.from(all.subarray(drawRange.start, Math.min(all.length, drawRange.start + drawRange.count)));
@@ -40,7 +40,7 @@ function cornersOf({ index, attributes, drawRange }) {
 
 const isShown = (material) => material.visible !== false;
 
-/// Triangles whose material is shown, and the material of each.
+/// The triangles with a visible material, and the material of each.
 function trianglesOf(object) {
   const { geometry, material } = object;
   const corners = cornersOf(geometry);
@@ -113,9 +113,9 @@ export function lineSegmentsOf(segments, { hidden = false, material = new LineMa
 
 export class RestingLines {
   #options;
-  #drawn = ''; // the camera that was drawn or is being drawn,
-  #seen = ''; // that of the last frame,
-  #since = 0; // and since when it has been so
+  #drawn = ''; // the last camera that was drawn or is being drawn
+  #seen = ''; // the camera of the last frame
+  #since = 0; // the time of its last change
   #abort = null;
 
   constructor(options) {
@@ -126,7 +126,7 @@ export class RestingLines {
     this.#drawn = '';
   }
 
-  /// Each frame.
+  /// Called in each frame.
   update(now = performance.now()) {
     const { camera, size, delay, onMove } = this.#options;
     const view = cameraOf(camera(), ...size());

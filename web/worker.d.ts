@@ -5,24 +5,24 @@ export { kinds, none, supported } from './lineatlas.js';
 
 export interface Abortable {
   /**
-   * Ends the call: its promise is rejected with the signal's reason at once. A call that has not begun never begins. One
-   * that has is stopped on pages that are cross-origin isolated; on others it works on, and what it finds is dropped.
+   * Ends the call. Its promise is rejected at once with the signal's reason. A call that waits never begins. A running call
+   * stops in Node and on pages that are cross-origin isolated. On other pages it runs to its end, and its result is dropped.
    */
   signal?: AbortSignal;
 }
 
-/** A worker that holds models. Calls are done one after the other. */
+/** A worker that holds models. It does calls one after the other. */
 export class LinesWorker {
   /**
-   * @param options.wasm Where the module is; see `init()` of `lineatlas`.
-   * @param options.worker One that runs `worker_thread.js` of this package, where bundlers do not find it by themselves.
+   * @param options.wasm The module; see `init()` of `lineatlas`.
+   * @param options.worker A worker that runs `worker_thread.js` of this package. Needed if the bundler does not find that file.
    */
   constructor(options?: { wasm?: string | URL | ArrayBuffer | WebAssembly.Module; worker?: Worker });
-  /** As `new Lines()`. Arrays are copied; with `transfer` they move, and are empty afterwards. */
+  /** As `new Lines()`. Arrays are copied. With `transfer` they are moved, so yours are empty afterwards. */
   extract(meshes: MeshArrays | MeshArrays[], options?: LinesOptions & Abortable & { transfer?: boolean }): Promise<Lines>;
   /** As `readMesh()` of `lineatlas`. */
   readMesh(file: ArrayBuffer | ArrayBufferView, name: string): Promise<LoadedMesh>;
-  /** Ends the worker and all that it holds. */
+  /** Ends the worker and frees its models. */
   dispose(): void;
 }
 
@@ -43,7 +43,7 @@ export class Lines {
 export class Drawing {
   private constructor();
   readonly segmentCount: Promise<number>;
-  /** Its arrays are moved, not copied. */
+  /** As `Drawing.segments()`, but the arrays are moved, not copied. */
   segments(): Promise<Segments>;
   toSVG(options?: WriteOptions): Promise<string>;
   toDXF(options?: WriteOptions): Promise<string>;

@@ -1,11 +1,11 @@
-// What worker.d.ts describes: calls go to worker_thread.js, one after the other.
+// Lines in a worker. worker.d.ts describes the classes. Calls go to worker_thread.js, one after the other.
 import { kinds, none, supported } from './lineatlas.js';
 
 export { kinds, none, supported };
 
 const aborted = (signal) => signal.reason ?? new DOMException('lineatlas: aborted', 'AbortError');
 
-/// A Web Worker, or a thread of Node that looks like one.
+/// A Web Worker, or a thread of Node with the same interface.
 async function makeThread() {
   const url = new URL('./worker_thread.js', import.meta.url);
   if (typeof Worker === 'function') return new Worker(url, { type: 'module' });
@@ -19,7 +19,7 @@ async function makeThread() {
 
 class Thread {
   #thread = null;
-  #jobs = []; // the first is running
+  #jobs = []; // the first one is running
   #ended = null;
 
   constructor(source, worker) {
@@ -39,7 +39,7 @@ class Thread {
     this.#send();
   }
 
-  /// options: what of the caller's stays here.
+  /// options: the caller's options that are not sent to the thread.
   call(request, { signal, progress } = {}, transfer = []) {
     return new Promise((resolve, reject) => {
       if (this.#ended !== null) return reject(this.#ended);
@@ -52,7 +52,7 @@ class Thread {
   }
 
   #abortWith(signal, job) {
-    // Where memory may be shared the thread sees it while it works; else it works on in vain.
+    // A shared stop flag reaches the running thread. Without shared memory the thread runs to its end.
     if (typeof SharedArrayBuffer === 'function' && (globalThis.crossOriginIsolated ?? true))
       job.request.stop = new Int32Array(new SharedArrayBuffer(4));
     signal.addEventListener('abort', () => {
@@ -74,7 +74,7 @@ class Thread {
     if (error !== undefined) job.reject(error.isAbort ? new DOMException(error.message, 'AbortError') : new Error(error.message));
     else if (job.dropped && result?.handle !== undefined) this.call({ method: 'dispose', handle: result.handle });
     else job.resolve(result);
-    this.#jobs.shift(); // not before: what was called here is not the first, and is sent once
+    this.#jobs.shift(); // only now, so that calls made in these handlers wait and are sent once
     if (this.#jobs.length > 0) this.#send();
   }
 
@@ -87,7 +87,7 @@ class Thread {
 
 const split = ({ signal, progress, ...rest } = {}) => [{ signal, progress }, rest];
 
-// A camera that can be sent: three.js' own objects cannot be.
+// A camera that can be sent to a thread. Objects of three.js cannot.
 const sendable = ({ view, projection, ...size }) =>
   ({ view: view.elements ?? view, projection: projection.elements ?? projection, ...size });
 

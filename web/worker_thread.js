@@ -1,4 +1,4 @@
-// The thread of worker.js: each message is a call, each answer its result.
+// The thread of worker.js. Each message is a call, each answer its result.
 import { Lines, init, readMesh } from './lineatlas.js';
 
 let port = null;

@@ -1,5 +1,5 @@
-// What DIR/check of a bundle runs: every part in a process of its own and for a limited time, and
-// one JSON file with all that they say.
+// The program behind a bundle's script `check`. It runs every part in a process of its own for a
+// limited time, and collects their results in one JSON file.
 
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +28,7 @@ bool has(const char* library) {
     return ::dlopen(library, RTLD_LAZY) != nullptr;
 }
 
-/// Whether the libraries that GL is called through are there: libepoxy ends a program without.
+/// True if GL's libraries can be loaded. Without them libepoxy would end the program.
 bool has_gl() {
     return has("libEGL.so.1") && (has("libOpenGL.so.0") || has("libGL.so.1"));
 }
@@ -40,7 +40,7 @@ struct Options {
     std::vector<std::string> parts; ///< empty: all
 };
 
-/// Runs one part and adds what came of it. False if it failed.
+/// Runs one part and adds its result to the report. False if the part failed.
 bool run_part(Part part, Clock::time_point end, const Places& places, Json& report) {
     const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
     part.limit = std::min(part.limit, left);
@@ -58,7 +58,7 @@ bool run_part(Part part, Clock::time_point end, const Places& places, Json& repo
     try {
         result = run_child(part.program, part.arguments, part.limit, Captured::output_and_errors);
     } catch (const Error& error) {
-        result.output = error.what(); // a part that is missing must not end the others
+        result.output = error.what(); // a missing program must not stop the other parts
     }
     if (part.kind == PartKind::devices) {
         std::ifstream input{written};
@@ -77,7 +77,7 @@ bool run_part(Part part, Clock::time_point end, const Places& places, Json& repo
 bool check(const Options& options) {
     const fs::path json = fs::absolute(options.json);
     const fs::path markdown = fs::path{json}.replace_extension(".md");
-    fs::current_path(options.bundle); // where tests look for files
+    fs::current_path(options.bundle); // tests look for their files here
     const Scratch scratch;
     const Places places{.scratch = scratch.folder,
                         .pictures = json.parent_path() / (json.stem().string() + "-pictures"),
@@ -94,7 +94,7 @@ bool check(const Options& options) {
         }
         part.limit = std::min(part.limit, std::chrono::seconds{options.limit});
         all = run_part(part, end, places, report) && all;
-        write_report(json, report); // again after each, so that nothing is lost
+        write_report(json, report); // after each part, so that a crash loses nothing
         write_markdown(markdown, report);
     }
     fmt::print("\n{} For people: {}; all figures: {}\n",

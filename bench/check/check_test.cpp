@@ -1,4 +1,5 @@
-// A bundle of scripts in place of its programs: whatever they do, the check ends and says so.
+// The check on a bundle whose programs are scripts. Whatever a script does, the check ends and
+// reports it.
 
 #include <cstdlib>
 #include <filesystem>

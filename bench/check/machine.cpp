@@ -11,7 +11,7 @@
 namespace lineatlas::bench {
 namespace {
 
-/// What follows `key` and the characters of `between` in the first line that starts with `key`.
+/// The rest of the first line that starts with `key`, after `key` and any characters of `between`.
 std::string value_in(const char* file, const std::string& key, const char* between) {
     std::ifstream input{file};
     for (std::string line; std::getline(input, line);) {

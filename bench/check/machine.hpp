@@ -4,7 +4,7 @@
 
 namespace lineatlas::bench {
 
-/// Processor, memory, system and driver of this machine, as far as it says.
+/// Processor, memory, system and driver of this machine, as far as they can be read.
 nlohmann::ordered_json describe_machine();
 
 } // namespace lineatlas::bench

@@ -34,14 +34,14 @@ class Document {
     }
 };
 
-/// Null if there is none.
+/// A member of an object; null if it is missing.
 const Json& member(const Json& json, const char* name) {
     static const Json none;
     const auto found = json.find(name);
     return found != json.end() ? *found : none;
 }
 
-/// "" if there is none.
+/// A member as text; "" if it is missing.
 std::string text_of(const Json& json, const char* name) {
     const Json& value = member(json, name);
     if (value.is_null()) return "";
@@ -89,7 +89,7 @@ void add_outcomes(Document& document, const Json& parts) {
     }
 }
 
-/// Of those that begin so, in their order: those that left figures.
+/// The figures of all parts whose names begin with `beginning`, in the order of the parts.
 std::vector<Json> figures_of(const Json& parts, std::string_view beginning) {
     std::vector<Json> result;
     for (const Json& part : parts)
@@ -151,7 +151,7 @@ void add_kernels(Document& document, const Json& parts) {
     }
 }
 
-/// Those of one model beside each other.
+/// Adds all pictures. Those of one model share a row.
 void add_pictures(Document& document, const Json& parts) {
     std::vector<std::string> names, pictures;
     const auto end_row = [&] {

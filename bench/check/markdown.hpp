@@ -6,7 +6,7 @@
 
 namespace lineatlas::bench {
 
-/// The report as tables for people, in Markdown, as far as it has come.
+/// Writes the report as Markdown tables for people. The report may be unfinished.
 void write_markdown(const std::filesystem::path& path, const nlohmann::ordered_json& report);
 
 } // namespace lineatlas::bench

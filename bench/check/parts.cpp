@@ -18,12 +18,12 @@ std::vector<Part> all_parts(const Places& places) {
         return Part{name, PartKind::figures, "bin/lineatlas-bench-" + program, std::move(arguments),
                     limit};
     };
-    // A driver may crash in one mode of sharing: each has a process of its own.
+    // Each sharing mode gets a process of its own, because a driver may crash in one of them.
     const auto interop = [&](const std::string& mode) {
         return figures("interop " + mode, "interop", {"--modes", mode, "--rounds", "15"},
                        seconds{40});
     };
-    // A slow machine leaves figures of the scenes that it got through.
+    // One part per scene: a slow machine still gets figures for the first scenes.
     const auto frames = [&](const std::string& scene) {
         return figures(
             "frames " + scene, "frames",
@@ -37,7 +37,7 @@ std::vector<Part> all_parts(const Places& places) {
         arguments.insert(arguments.end(), options.begin(), options.end());
         return Part{name, PartKind::output, "bin/lineatlas", std::move(arguments), limit};
     };
-    // For the report, by the machine's own device and beside it by C++.
+    // A picture for the report, drawn by the machine's own device or by `cpp`.
     const auto picture = [&](const std::string& of, const std::vector<std::string>& model,
                              const std::string& device) {
         const std::string file = of + "-" + (device.empty() ? "device" : device) + ".png";
@@ -54,7 +54,7 @@ std::vector<Part> all_parts(const Places& places) {
     const std::vector<std::string> ship{"--scene", "ship"};
     const std::vector<std::string> contours{
         places.scan.string(), "--up", "z", "--silhouettes", "smooth", "--lines", "silhouette"};
-    // Every kernel's tables, beside those of C++. Smooth silhouettes are what scans have.
+    // Compares the tables of every kernel with those of `cpp`. Scans have smooth silhouettes.
     const auto compared = [&](const std::string& method) {
         return drawn("compared " + method,
                      {"--size", "512x384", "--method", method, "--silhouettes", "smooth",

@@ -7,32 +7,32 @@
 
 namespace lineatlas::bench {
 
-/// What a part leaves: answers of `lineatlas devices`, figures of a benchmark, results of tests, or
-/// nothing but what it prints.
+/// The result of a part: the answer of `lineatlas devices`, figures of a benchmark, results of
+/// tests, or only the text that the part prints.
 enum class PartKind { devices, figures, tests, output };
 
 /// One program that a check runs.
 struct Part {
     std::string name;
     PartKind kind;
-    std::string program; ///< seen from the bundle
+    std::string program; ///< path in the bundle's folder
     std::vector<std::string> arguments;
     std::chrono::seconds limit;
-    std::string picture{}; ///< that it leaves in Places::pictures; "": none
+    std::string picture{}; ///< that the part writes to Places::pictures; "": none
 };
 
-/// Absolute paths.
+/// Absolute paths that parts use.
 struct Places {
-    std::filesystem::path scratch;  ///< a folder that goes when the check ends
-    std::filesystem::path pictures; ///< where pictures for the report go
-    std::filesystem::path scan;     ///< the model of write_scan()
+    std::filesystem::path scratch;  ///< a folder that is removed when the check ends
+    std::filesystem::path pictures; ///< the folder of the report's pictures
+    std::filesystem::path scan;     ///< the model that write_scan() wrote
 };
 
-/// The option that makes the part write its figures as JSON, or its tests' results as XML: the JSON
-/// of Google Test does not say why a test was skipped.
+/// The option that makes a part write its figures as JSON, or the results of its tests as XML.
+/// GoogleTest's JSON does not say why a test was skipped.
 std::string output_option(PartKind kind, const std::filesystem::path& file);
 
-/// All parts, what is needed most first: the last ones are left out if time runs out.
+/// All parts, the most important first. If time runs out, the last ones are left out.
 std::vector<Part> all_parts(const Places& places);
 
 } // namespace lineatlas::bench

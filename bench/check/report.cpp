@@ -13,15 +13,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null if the file is missing or broken, as after a crash.
+/// The content of a file; null if the file is missing or broken, as after a crash.
 Json read_json(const std::filesystem::path& path) {
     std::ifstream input{path};
     Json json = Json::parse(input, nullptr, false);
     return json.is_discarded() ? Json(nullptr) : json;
 }
 
-/// Google Test writes pages about tests that passed: counts, what failed with its first message,
-/// and what was skipped and why. Null if the file is missing or broken, as after a crash.
+/// A summary of GoogleTest's report: counts, failed tests with their first message, and skipped
+/// tests with the reason. Null if the file is missing or broken, as after a crash.
 Json summary_of_tests(const std::filesystem::path& path) {
     pugi::xml_document document;
     if (!document.load_file(path.c_str())) return nullptr;
@@ -73,7 +73,7 @@ Json describe_part(const Part& part, const ChildResult& result, const std::files
 }
 
 void write_report(const std::filesystem::path& path, const Json& report) {
-    // Output of programs may hold anything.
+    // The output of programs need not be UTF-8.
     const std::string text = report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }

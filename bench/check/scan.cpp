@@ -15,7 +15,7 @@ namespace {
 
 constexpr int rows = 200, columns = 200; // of quads, around the ring and around its tube
 
-/// From 0 to 1, another for every number.
+/// A hash of `i`, from 0 to 1.
 double noise(std::uint32_t i) {
     i = (i ^ (i >> 16U)) * 0x45D9F3BU;
     i = (i ^ (i >> 16U)) * 0x45D9F3BU;

@@ -4,8 +4,8 @@
 
 namespace lineatlas::bench {
 
-/// Writes a closed surface as scanners leave it, as OBJ: 80,000 triangles of a lobed ring, rough by
-/// less than a thousandth of its size. The same on every machine.
+/// Writes a closed surface with the noise of a scan as an OBJ file: a lobed ring of 80,000
+/// triangles, rough by less than a thousandth of its size. The file is the same on every machine.
 void write_scan(const std::filesystem::path& path);
 
 } // namespace lineatlas::bench

@@ -34,7 +34,7 @@ struct Curve {
     Rgb color;
 };
 
-/// Boxes, curves above them and labels above those, on white: all that a chart needs.
+/// A chart on white: boxes, curves in front of the boxes, and labels in front of both.
 struct Drawing {
     glm::vec2 size{0};
     std::vector<Box> boxes;
@@ -42,12 +42,12 @@ struct Drawing {
     std::vector<Label> labels;
 };
 
-/// Writes an SVG or a PNG (2 pixels per unit), by extension. Throws FileError, and DeviceError
-/// where the font for a PNG is missing.
+/// Writes an SVG or a PNG (2 pixels per unit), by the extension of `path`. Throws FileError, and
+/// DeviceError if the font for a PNG is missing.
 void write_drawing(const std::filesystem::path& path, const Drawing& drawing);
 
-/// Throws what `write_drawing` would; called before long work, so that it is not lost. UsageError
-/// for another extension.
+/// Throws what write_drawing() would throw, and UsageError for another extension. Call it before
+/// long work, so that a bad path does not cost the results.
 void check_drawing_path(const std::filesystem::path& path);
 
 } // namespace lineatlas::bench

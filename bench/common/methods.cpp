@@ -17,14 +17,14 @@ constexpr Sampling low = sampling_of(Quality::low), high = sampling_of(Quality::
 constexpr std::array<MethodSpec, 9> specs{{
     {"OGL", Method::opengl, low.probes, low.depth_scale, false},
     {"IBlo", Method::item_buffer, low.probes, low.depth_scale, false},
-    // Supersampled itself: its probes say how much.
+    // The item buffer itself is supersampled, by its number of probes.
     {"IBhi", Method::item_buffer, high.probes, 1, false},
     {"STlo", Method::spine, low.probes, low.depth_scale, true},
     {"SThi", Method::spine, high.probes, high.depth_scale, true},
     {"SAlo", Method::atlas, low.probes, low.depth_scale, true},
     {"SAhi", Method::atlas, high.probes, high.depth_scale, true},
     {"SAhi+read", Method::atlas, high.probes, high.depth_scale, true, true},
-    // Has no samples: what it finds is exact, whatever the quality.
+    // EX has no samples. Its result is exact at any quality.
     {"EX", Method::exact, high.probes, high.depth_scale, true},
 }};
 

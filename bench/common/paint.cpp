@@ -33,7 +33,7 @@ float distance_to(glm::vec2 point, glm::vec2 a, glm::vec2 b) {
     return glm::distance(point, a + way * u);
 }
 
-/// Antialiased; OpenImageIO only draws lines one pixel wide.
+/// Draws a curve with antialiasing. OpenImageIO's own lines are one pixel wide.
 void add_curve(const Curve& curve, OIIO::ImageBuf& buffer) {
     const float reach = 0.5F * curve.width * png_scale;
     const auto color = floats(curve.color);

@@ -5,10 +5,10 @@
 
 namespace lineatlas::bench {
 
-/// The pixels of a drawing, 2 per unit.
+/// Draws the picture, 2 pixels per unit.
 Image paint(const Drawing& drawing);
 
-/// Throws DeviceError where `paint` can't: without OpenImageIO or its font.
+/// Throws DeviceError if paint() cannot work because OpenImageIO or its font is missing.
 void check_painting();
 
 } // namespace lineatlas::bench

@@ -1,4 +1,4 @@
-// In place of paint.cpp where OpenImageIO is left out.
+// Replaces paint.cpp in builds without OpenImageIO.
 
 #include "lineatlas/error.hpp"
 #include "paint.hpp"

@@ -4,7 +4,8 @@
 
 namespace lineatlas::bench {
 
-/// What a program is doing, on standard error: one line on a terminal, rewritten; lines in a log.
+/// Shows on standard error what a program is doing. A terminal gets one line that is rewritten, a
+/// log gets one line per step.
 class Progress {
   public:
     Progress();
@@ -12,11 +13,11 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// A larger step.
+    /// Shows a larger step.
     void say(const std::string& text);
-    /// A smaller one, for terminals only.
+    /// Shows a smaller step; only terminals get it.
     void detail(const std::string& text);
-    /// Removes the line from a terminal, so that something else can be printed.
+    /// Removes the line from a terminal, so that other text can be printed.
     void clear();
 
   private:

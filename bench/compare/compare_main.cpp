@@ -1,4 +1,5 @@
-// lineatlas-bench-compare: what changed between two builds, and what cannot be told.
+// lineatlas-bench-compare: compares two builds. Says which rows changed, and for which the figures
+// do not suffice.
 
 #include <charconv>
 

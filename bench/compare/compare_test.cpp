@@ -1,5 +1,5 @@
-// `bench compare`: finds what changed, and nothing where nothing did. Figures are made here, with
-// the noise of a machine that has other work; nothing is timed.
+// `bench compare` finds the rows that changed and no others. The figures are made up, with the
+// noise of a machine that has other work. Nothing is timed.
 
 #include <array>
 #include <cmath>
@@ -19,13 +19,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Runs of two builds by turns on one machine: it becomes slower and faster over the turns, each
-/// run has noise of its own, and in one of twelve runs something else takes a part of the time.
+/// Figures of two builds that run by turns on one machine. The machine becomes slower and faster
+/// over the turns, each run has noise of its own, and one run in twelve is disturbed by other work.
 class Machine {
   public:
     explicit Machine(unsigned seed) : engine_(seed) {}
 
-    /// `factor`: what the second build takes of `planted`, of the first's time.
+    /// `factor`: the second build's time of the row `planted` over the first build's.
     std::array<Json, 2> runs(int rows, int turns, const std::string& planted = "",
                              double factor = 1) {
         std::array<std::vector<Json>, 2> all;
@@ -77,7 +77,7 @@ class Compare : public testing::Test {
                        read_figures(write("after.json", builds[1])), least);
     }
 
-    /// What the program prints, and its exit code.
+    /// The program's output and exit code.
     static std::pair<std::string, int> run(const std::string& arguments) {
         FILE* pipe = ::popen((LINEATLAS_BENCH_COMPARE " " + arguments + " 2>&1").c_str(), "r");
         std::string text;
@@ -131,13 +131,13 @@ TEST_F(Compare, TellsWhatItCannotTell) {
     EXPECT_EQ(few.turns_needed, 17U);
     for (const Compared& row : few.rows) EXPECT_EQ(row.verdict, Verdict::not_told);
     EXPECT_NE(table(few).find("12 turns: 17 are needed"), std::string::npos) << table(few);
-    // With many turns all is known within 10 %.
+    // Many turns suffice for a verdict on every row.
     for (const Compared& row : compared(Machine{5}.runs(6, 60), 0.1).rows)
         EXPECT_EQ(row.verdict, Verdict::same) << row.interval.low << ' ' << row.interval.high;
 }
 
-/// The bootstrap's own distribution, by drawing samples: the interval is at most a value wider,
-/// since it promises no more than the sign test.
+/// Draws bootstrap samples. Each end of the interval lies at most one value further out than
+/// theirs, because the interval is at least as wide as the sign test's.
 TEST_F(Compare, IntervalIsThatOfDrawnSamples) {
     std::mt19937 engine{7};
     std::lognormal_distribution<double> spread{0, 0.2};
@@ -177,7 +177,7 @@ TEST_F(Compare, EndsAsFailOverSays) {
     EXPECT_EQ(run(before + ' ' + before + " --fail-over 3%").second, 0);
 }
 
-/// A single run each says nothing: it is the machine's as much as the build's.
+/// The times of two single runs differ by the machine's state as much as by the build.
 TEST_F(Compare, GivesNoVerdictWithoutTurns) {
     const Json frames = {
         {"scenes",
@@ -217,7 +217,7 @@ TEST_F(Compare, ReadsProfiles) {
     EXPECT_EQ(found.rows[2].name, "scan scan_chunks_reduce");
 }
 
-/// A build of before there were percentiles is compared by its means.
+/// If one of the builds reports no percentiles, the means of both are compared.
 TEST_F(Compare, ComparesLikeWithLike) {
     auto builds = Machine{4}.runs(1, 20);
     for (Json& run : builds[0]["runs"]) run["benchmarks"][0].erase("p10_us");

@@ -25,13 +25,13 @@ double at_least(std::size_t least, std::size_t n, double p) {
     return sum;
 }
 
-/// The probability that the median of n values drawn from n is one of the `count` smallest. Of an
-/// even number the median is taken as the lower one, which is further out.
+/// The probability that the median of n values drawn from n is one of the `count` smallest. If n is
+/// even, the lower of the two middle values counts as the median: it is further out.
 double bootstrap_tail(std::size_t count, std::size_t n) {
     return at_least((n + 1) / 2, n, static_cast<double>(count) / static_cast<double>(n));
 }
 
-/// The probability that of n turns of equal builds at most `count` come out on one side.
+/// The probability that at most `count` of n turns of equal builds lie on one side.
 double sign_tail(std::size_t count, std::size_t n) {
     return at_least(n - count, n, 0.5);
 }
@@ -43,7 +43,7 @@ std::size_t values_below(std::size_t n, double outside) {
     return count;
 }
 
-/// The probability that is left on each side of the interval of one row among `rows`.
+/// The probability outside each end of the interval of one row among `rows`.
 double outside_of(std::size_t rows) {
     return false_alarms / 2 / static_cast<double>(rows);
 }
@@ -69,7 +69,7 @@ Compared compare_medians(const std::string& name, const std::vector<double>& bef
     return row;
 }
 
-/// Fills in what turns tell.
+/// Sets the ratio, the interval and the verdict of a row by its turns.
 void judge(Compared& row, const std::vector<double>& of_turns, const Comparison& comparison) {
     row.ratio = median(of_turns);
     row.interval = interval_of_median(of_turns, outside_of(comparison.rows.size()));
@@ -92,7 +92,7 @@ const char* words(Verdict verdict) {
     return "cannot be told";
 }
 
-/// What stands below the rows.
+/// The text below the rows.
 std::string summary(const Comparison& comparison) {
     const auto count = [&](Verdict verdict) {
         return std::ranges::count(comparison.rows, verdict, &Compared::verdict);
@@ -130,7 +130,7 @@ std::size_t turns_needed(std::size_t rows) {
 
 namespace {
 
-/// What both builds tell: a build from before there were percentiles tells means alone.
+/// True if both builds report percentiles for the row. Builds without percentiles report means.
 bool both_are_quiet(const Figures& before, const Figures& after, const std::string& name) {
     return before.quiet.contains(name) && after.quiet.contains(name) &&
            before.quiet.at(name).size() == before.rows.at(name).size() &&

@@ -9,13 +9,13 @@
 namespace lineatlas::bench {
 
 enum class Verdict {
-    faster,   ///< the interval lies below 1
-    slower,   ///< it lies above
-    same,     ///< it holds 1, and nothing further from 1 than the least change that is asked for
-    not_told, ///< it is wider than that, or there is none
+    faster,   ///< the ratio's interval lies below 1
+    slower,   ///< the interval lies above 1
+    same,     ///< the interval holds 1 and stays within Comparison::least of it
+    not_told, ///< the interval is wider than that, or there is no interval
 };
 
-/// A range that holds a ratio, unless chance is very odd.
+/// A range that holds a ratio with high probability.
 struct Interval {
     double low = 0, high = 0;
 };
@@ -24,39 +24,40 @@ struct Interval {
 struct Compared {
     std::string name;
     double before = 0, after = 0; ///< medians, milliseconds
-    double ratio = 1;             ///< by turns the median of the turns' ratios, else of the medians
-    Interval interval{};          ///< of the ratio; without turns from 0 to 0
+    double ratio = 1; ///< with turns the median of the turns' ratios, else the ratio of the medians
+    Interval interval{}; ///< of the ratio; 0 to 0 without turns
     Verdict verdict = Verdict::not_told;
 };
 
 struct Comparison {
     bool by_turns = false;
-    double least = 0;              ///< change that is asked for: 0.03 is 3 %
-    std::size_t turns = 0;         ///< the fewest of a row
-    std::size_t turns_needed = 0;  ///< for a verdict on as many rows
-    std::vector<Compared> rows;    ///< those that both have, by name
-    std::vector<std::string> lone; ///< rows that only one has
+    double least = 0;              ///< the smallest change that counts: 0.03 is 3 %
+    std::size_t turns = 0;         ///< of the row with the fewest turns
+    std::size_t turns_needed = 0;  ///< for verdicts on this number of rows
+    std::vector<Compared> rows;    ///< rows that both builds have, sorted by name
+    std::vector<std::string> lone; ///< names of rows that only one build has
 };
 
-/// How often anything is said to have changed between two equal builds: in one comparison of 1,000,
-/// whatever the number of rows.
+/// The probability that a comparison of two equal builds reports any change, whatever the number of
+/// rows.
 inline constexpr double false_alarms = 1e-3;
 
-/// The interval of the median of `values` by the bootstrap, which for a median needs no drawing of
-/// samples: its distribution is binomial (Efron 1979, section 3). `outside`: the probability of
-/// what lies below it, and of what lies above. A bootstrap of few values promises too much: the
-/// interval is at least that of the sign test, which is exact.
+/// The bootstrap interval of the median of `values`. The bootstrap distribution of a median is
+/// binomial, so no samples are drawn (Efron 1979, section 3). `outside`: the probability below the
+/// interval, and also the probability above it. With few values the bootstrap interval is too
+/// narrow. So the result is at least as wide as the interval of the sign test, which is exact.
 Interval interval_of_median(std::vector<double> values, double outside);
 
-/// Turns below which chance alone may put all ratios of one among `rows` rows on one side.
+/// The number of turns that verdicts on `rows` rows need. With fewer turns, chance alone may put
+/// all ratios of one of the rows on the same side of 1.
 std::size_t turns_needed(std::size_t rows);
 
 Comparison compare(const Figures& before, const Figures& after, double least);
 
-/// Whether a row is slower, and by more than the least change.
+/// True if a row is slower by more than Comparison::least.
 bool fails(const Comparison& comparison);
 
-/// For people.
+/// The comparison as text for people.
 std::string table(const Comparison& comparison);
 
 } // namespace lineatlas::bench

@@ -11,14 +11,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Google Benchmark's.
+/// Adds figures in the format of Google Benchmark.
 void add_kernels(const Json& run, Figures& figures) {
     for (const Json& row : run.at("benchmarks")) {
         if (row.value("run_type", "iteration") != "iteration" || !row.contains("share_of_copy")) {
-            continue; // a goal, a mean of rows, or a row that failed
+            continue; // a goal, a mean of rows, or a failed row
         }
         std::string name = row.at("name");
-        name.erase(std::min(name.rfind("/manual_time"), name.size())); // said of all
+        name.erase(
+            std::min(name.rfind("/manual_time"), name.size())); // every row of this kind has it
         figures.rows[name].push_back(row.at("real_time").get<double>() / 1e3);
         if (row.contains("p10_us"))
             figures.quiet[name].push_back(row.at("p10_us").get<double>() / 1e3);
@@ -36,7 +37,7 @@ void add_frames(const Json& run, Figures& figures) {
     }
 }
 
-/// Trace events: frames, and what ran in a stage. Their medians, since one run is one figure.
+/// Adds the medians of trace events, of frames and of work in stages. One run gives one figure.
 void add_profile(const Json& run, Figures& figures) {
     std::map<std::string, std::vector<double>> all;
     for (const Json& event : run.at("traceEvents")) {
@@ -76,7 +77,7 @@ Figures read_figures(const std::filesystem::path& path) {
             known = known && run.is_object() && add_run(run, figures);
         if (known && !figures.rows.empty()) return figures;
     } catch (const Json::exception&) {
-        // said below, without the words of a library
+        // the message below replaces the library's
     }
     throw FileError("\"" + path.string() +
                     "\" has no figures: --json of bench kernels or bench frames writes them, and "

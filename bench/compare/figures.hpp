@@ -9,25 +9,26 @@
 
 namespace lineatlas::bench {
 
-/// What one build took: for each row of a benchmark one figure per run of it.
+/// The times of one build: one figure per row of a benchmark and run.
 struct Figures {
-    /// Of which builds were run by turns; empty: they were not. Two files of the same turns have
-    /// the same, and the n-th figure of a row in one belongs to the n-th in the other.
+    /// Names the session in which two builds ran by turns; empty: they did not. Both files of a
+    /// session have the same name. The n-th figure of a row in one file belongs to the n-th in the
+    /// other file.
     std::string turns;
     std::map<std::string, std::vector<double>> rows; ///< milliseconds
-    /// The 10th percentile of each run, which other work on the machine moves least; of rows of
-    /// `bench kernels` that tell it.
+    /// The 10th percentile of each run, for rows of `bench kernels` that report it. Other work on
+    /// the machine changes this percentile least.
     std::map<std::string, std::vector<double>> quiet;
 };
 
-/// Adds a run's figures: the JSON of `bench kernels`, of `bench frames`, or of `draw --profile`.
-/// False if it is none of them.
+/// Adds the figures of a run. `run` is the JSON of `bench kernels`, `bench frames` or `draw
+/// --profile`. Returns false if it is none of them.
 bool add_run(const nlohmann::json& run, Figures& figures);
 
-/// Reads what `--json` wrote: of one run, or of runs by turns. Throws FileError.
+/// Reads a file that `--json` wrote, of one run or of runs by turns. Throws FileError.
 Figures read_figures(const std::filesystem::path& path);
 
-/// The JSON of runs by turns: `turns` as in Figures, and each run's own JSON.
+/// The JSON of runs by turns: `turns` as in Figures, and the JSON of each run.
 nlohmann::json runs_by_turns(const std::string& turns, std::vector<nlohmann::json> runs);
 
 } // namespace lineatlas::bench

@@ -23,14 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// What the summary calls a change; `bench compare --fail-over` asks for another.
+/// The smallest change that the summary reports. `bench compare --fail-over` has its own limit.
 constexpr double least_change = 0.03;
 
 fs::path this_program() {
     return fs::read_symlink("/proc/self/exe");
 }
 
-/// In a build's folder, or itself.
+/// The program of this name in the folder of a build. `build` may also be the program itself.
 fs::path program_of(const fs::path& build) {
     const fs::path program = fs::is_directory(build) ? build / this_program().filename() : build;
     if (::access(program.c_str(), X_OK) == 0 && fs::is_regular_file(program)) return program;
@@ -59,7 +59,7 @@ void write_runs(const fs::path& path, const std::string& turns, std::vector<Json
     AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }
 
-/// Names one run by turns, among all.
+/// A name that no other session of runs by turns has.
 std::string name_of_turns() {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     return fmt::format("{}-{}", std::chrono::floor<std::chrono::seconds>(now).count(), ::getpid());
@@ -85,7 +85,7 @@ std::vector<std::string> Turns::others(int argc, char** argv) {
         const std::string_view word = argv[i];
         const auto own = {"--interleave", "--turns", "--json-other", "--json"};
         if (std::ranges::find(own, word) != own.end()) {
-            ++i; // and what follows it
+            ++i; // and its value
         } else if (std::ranges::find(own, word.substr(0, word.find('='))) == own.end()) {
             result.emplace_back(word);
         }
@@ -106,7 +106,7 @@ void Turns::run(const std::vector<std::string>& arguments, const std::vector<std
         if (!part.empty()) words.push_back(part);
         for (unsigned turn = 0; turn < turns_; ++turn) {
             progress.detail(fmt::format("{}: {} of {} turns", part, turn, turns_));
-            // The other one goes first in every second turn: neither is always the later one.
+            // The order changes with every turn, so that neither build is always the later one.
             for (const std::size_t i : {turn % 2U, 1U - turn % 2U})
                 runs[i].push_back(run_once(programs[i], words, scratch.folder / "run.json"));
         }

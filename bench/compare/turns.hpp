@@ -8,22 +8,22 @@
 
 namespace lineatlas::bench {
 
-/// `--interleave`: runs a benchmark of another build and that of this one by turns, each run a
-/// process of its own, so that what else happens on the machine, and where memory happens to lie,
-/// meets both alike.
+/// The option `--interleave`. Runs a benchmark of another build and of this build by turns. Each
+/// run is a process of its own. So other work on the machine and the placement of memory affect
+/// both builds alike.
 class Turns {
   public:
     void declare(CLI::App& app);
     bool given() const { return !other_.empty(); }
 
-    /// Runs the running program and the one of its name in the other build with `arguments` and
-    /// `--json FILE`, for each of `parts` with that as one more argument; writes the figures of
-    /// this build to `json` and prints the comparison. Throws UsageError if the other build has no
-    /// such program, Error if a run fails.
+    /// Runs this program and the program of the same name in the other build, with `arguments` and
+    /// `--json FILE`. Each of `parts` is one more argument of a run of its own. Writes the figures
+    /// of this build to `json` and prints the comparison. Throws UsageError if the other build has
+    /// no such program, Error if a run fails.
     void run(const std::vector<std::string>& arguments, const std::vector<std::string>& parts,
              const std::filesystem::path& json) const;
 
-    /// The command line without what declare() declares, and without `--json FILE`.
+    /// The command line without the options of declare() and without `--json FILE`.
     static std::vector<std::string> others(int argc, char** argv);
 
   private:

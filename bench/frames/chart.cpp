@@ -15,7 +15,7 @@ constexpr float footer = 54;
 constexpr float label_column = 42;
 constexpr float bar_column = 210;
 constexpr float value_column = 56;
-constexpr std::size_t longest_label = 5; // a longer one is written smaller
+constexpr std::size_t longest_label = 5; // longer labels get a smaller font
 constexpr float gap = 28;
 constexpr float panel_width = label_column + bar_column + value_column;
 constexpr float title_height = 42;
@@ -46,8 +46,8 @@ std::string grouped(std::uint32_t value) {
     return fmt::format("{} {:03}", grouped(value / 1000), value % 1000);
 }
 
-/// Where the paper's ratio would put a method on our machine; 0 if the paper or our OGL says
-/// nothing.
+/// The frame rate that the paper's ratio to OGL predicts for a method on this machine; 0 if the
+/// paper has no ratio or OGL was not measured.
 double paper_mark(const Report& report, const SceneResult& scene, const Measured& measured) {
     const auto ratio = paper_to_opengl(scene.name, measured.name);
     const Measured* opengl = report.opengl_for(scene.name);
@@ -85,7 +85,7 @@ void add_panel(const Report& report, const SceneResult& scene, glm::vec2 corner,
             const float x = std::round(at.x + length(mark));
             drawing.boxes.push_back({{x - 1, at.y - 2}, {2, bar_height + 4}, mark_color});
         }
-        // Beside the bar, or past a mark that stands there.
+        // The label stands beside the bar, or beyond the mark if the mark is in the way.
         const bool in_the_way = mark > fps && length(mark) < length(fps) + value_column;
         drawing.labels.push_back({{at.x + length(in_the_way ? mark : fps) + 6, baseline},
                                   fps > 0 ? fps_text(fps) : "failed",

@@ -5,8 +5,8 @@
 
 namespace lineatlas::bench {
 
-/// A bar chart of frame rates, a panel per scene with a scale of its own, with marks where the
-/// paper's ratios to OGL would put each method.
+/// A bar chart of frame rates with one panel per scene. Each panel has a scale of its own. Marks
+/// show where the paper's ratio to OGL would put each method.
 Drawing chart(const Report& report);
 
 } // namespace lineatlas::bench

@@ -156,7 +156,7 @@ class Bench {
         return result;
     }
 
-    /// Measures subjects against each other, which have the same viewpoints.
+    /// Measures subjects with the same viewpoints against each other.
     void measure_rows(const std::vector<Subject>& subjects, const std::vector<Drawn>& drawings) {
         std::vector<std::unique_ptr<Row>> rows;
         std::vector<Contestant> contestants;
@@ -187,7 +187,7 @@ class Bench {
     Report report_;
 };
 
-/// What is wrong with the command line is said before minutes of work, not after.
+/// Reports errors of the command line before minutes of work.
 void check(const Arguments& a) {
     for (const std::string& name : a.methods) method_spec(name);
     for (const std::string& name : a.scenes) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A tenth of a microsecond is more than the clock is good for.
+/// Rounds milliseconds to a tenth of a microsecond, which is finer than the clock.
 double rounded(double value) {
     return std::round(value * 1e4) / 1e4;
 }
@@ -61,7 +61,7 @@ void write_json(const std::filesystem::path& path, const Report& report) {
                                      {"aim", goal.aim},
                                      {"at_most", goal.at_most}});
     }
-    // File names need not be UTF-8, JSON must be.
+    // JSON must be UTF-8; file names in it need not be.
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     AtomicFile{path}.commit({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
 }

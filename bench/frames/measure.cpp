@@ -15,8 +15,8 @@
 namespace lineatlas::bench {
 namespace {
 
-constexpr double slow_ms = 1000;        // "over a second": fewer frames from here on
-constexpr double slow_budget_ms = 30e3; // what a slow contestant may take in all, about
+constexpr double slow_ms = 1000;        // slower contestants draw fewer frames
+constexpr double slow_budget_ms = 30e3; // the time of all frames of a slow contestant, about
 constexpr std::size_t fewest_frames = 3;
 constexpr std::size_t warm_up_frames = 4;
 
@@ -37,19 +37,20 @@ FrameTime timed(const Contestant& contestant, const Camera& camera, Measured& re
     return {elapsed.count(), 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
 }
 
-/// What the measuring of one contestant needs beside its result.
+/// The state of measuring one contestant, beside its result.
 struct Plan {
-    std::size_t frames = 0; ///< of as many as there are viewpoints
+    std::size_t frames = 0; ///< to draw; at most one per viewpoint
     bool slow = false;
     std::vector<std::pair<std::string, std::vector<double>>> stages;
 };
 
-/// Whether a contestant with `frames` frames draws at position `i` of `count`: evenly spread.
+/// True if a contestant with `frames` frames draws at viewpoint `i` of `count`. The frames are
+/// spread evenly.
 bool takes_part(std::size_t i, std::size_t count, std::size_t frames) {
     return (i + 1) * frames / count != i * frames / count;
 }
 
-/// Along the whole path, since tables grow where a view has more samples than any before.
+/// Draws frames along the whole path, because tables grow at views with more samples than before.
 Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints,
              Measured& result) {
     Plan plan;
@@ -58,7 +59,7 @@ Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints
         for (std::size_t i = 0; i < warm_up_frames; ++i) {
             const std::size_t at = i * viewpoints.size() / warm_up_frames;
             times.push_back(timed(contestant, viewpoints[at].camera, result).ms);
-            if (i > 0 && times.back() > slow_ms) break; // the first frame pays for compilers too
+            if (i > 0 && times.back() > slow_ms) break; // the first frame includes compiling
         }
         const double ms = times.size() > 1 ? median({times.begin() + 1, times.end()}) : times[0];
         plan.slow = ms > slow_ms;
@@ -73,9 +74,9 @@ Plan warm_up(const Contestant& contestant, std::span<const Viewpoint> viewpoints
     return plan;
 }
 
-/// Draws the frame before the one that counts. A program draws with one method, finds its data in
-/// the caches and what it remembers of the frame before nearly true; here the others have just been
-/// through the caches, and the last view was far away. A frame of a second is past caring.
+/// Draws the frame before the one that counts. A real program draws with one method. Its data are
+/// in the caches, and its last frame resembles the next one. Here the other contestants have filled
+/// the caches, and the last view was far away. Frames of more than a second need no such frame.
 void settle(const Contestant& contestant, const Viewpoint& viewpoint, const Plan& plan) {
     if (!plan.slow) contestant.draw(viewpoint.before, false);
 }
@@ -157,7 +158,7 @@ std::vector<Measured> measure(std::span<const Contestant> contestants,
             results[i].frame_ms[at] = time.ms;
             results[i].cpu_ms[at] = time.cpu_ms;
         }
-        // Every third view will do: stages tell where time goes, not how long a frame takes.
+        // Stages only show where time goes, so every third view is enough.
         for (std::size_t i = 0; i < contestants.size(); ++i) {
             const std::size_t stage_frames = std::max<std::size_t>(1, plans[i].frames / 3);
             if (!contestants[i].has_stages || plans[i].frames == 0) continue;

@@ -15,7 +15,7 @@ constexpr std::size_t moving_objects = 500;
 constexpr float frames_per_second = 60;
 constexpr std::uint32_t cloth_quads = 150; ///< a side
 
-/// The middle of every object.
+/// The mean of the vertices of every object.
 std::vector<glm::vec3> middles_of(const LineSet& lines) {
     std::vector<glm::vec3> result;
     for (const LineObject& object : lines.objects) {
@@ -28,7 +28,7 @@ std::vector<glm::vec3> middles_of(const LineSet& lines) {
     return result;
 }
 
-/// Object 0 is the building.
+/// Sways all objects but object 0, which is the building.
 void sway(std::span<const glm::vec3> middles, std::size_t frame,
           std::vector<glm::mat4>& transforms) {
     const float time = static_cast<float>(frame) / frames_per_second;
@@ -45,7 +45,7 @@ std::uint32_t on_cloth(std::uint32_t i, std::uint32_t j) {
     return i * (cloth_quads + 1) + j;
 }
 
-/// A square of cloth at a time in seconds.
+/// The positions of a square cloth at `time`, in seconds.
 void wave(float time, std::vector<glm::vec3>& positions) {
     positions.resize(std::size_t{cloth_quads + 1} * (cloth_quads + 1));
     for (std::uint32_t i = 0; i <= cloth_quads; ++i) {
@@ -97,7 +97,7 @@ std::vector<Subject> moving_subjects(glm::ivec2 size, std::size_t frames) {
                                            : std::span<const std::uint32_t>{});
     };
 
-    // A clevis comes and goes. In frames before the first one the other parts come.
+    // A clevis is added and removed by turns. The first warm-up frame adds the office itself.
     Subject changing{"office adding", moving.lines, still.kinds, still.viewpoints};
     changing.animate = [scene = std::shared_ptr<Assembly>{}, number = 0U, is_there = false,
                         office = moving.lines,

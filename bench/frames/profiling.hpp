@@ -7,22 +7,23 @@
 #include "report.hpp"
 #include "row.hpp"
 
-// What profiling costs, and whether the stages of a profile add up to the frame.
+// The cost of profiling, and the check that the stages of a profile add up to the frame.
 namespace lineatlas::bench {
 
 /// The row's name in the report.
 inline constexpr std::string_view profile_row = "profile";
 
-/// SAhi twice as it is ("off", "off again": how far two equal ones lie apart) and profiled ("on").
+/// SAhi without profile ("off"), the same once more ("off again", which shows the noise), and
+/// profiled ("on").
 std::vector<Drawn> profile_drawings();
 
 struct ProfilingCost {
-    double time, cpu;             ///< of a frame, over that of one without
-    double time_noise, cpu_noise; ///< the same of one without, over another
-    double stages_ms;             ///< what the stages of profiled frames add up to, median
-    double frame_ms;              ///< of those frames by the benchmark's own clock, median
+    double time, cpu;             ///< of a profiled frame, over that of an unprofiled one
+    double time_noise, cpu_noise; ///< of one unprofiled frame over another
+    double stages_ms;             ///< median sum of the stages of profiled frames
+    double frame_ms;              ///< median time of those frames by the benchmark's clock
 };
-/// Nothing if not measured.
+/// The cost of profiling; nothing if it was not measured.
 std::optional<ProfilingCost> profiling_cost(const Report& report);
 
 } // namespace lineatlas::bench

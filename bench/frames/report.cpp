@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 6> paper_scenes{"clevis", "house",  "ship
                                                        "office", "ship+s", "office+s"};
 struct PaperRow {
     std::string_view method;
-    std::array<PaperFigure, 6> figures; ///< fps 0: not measured there
+    std::array<PaperFigure, 6> figures; ///< fps 0: the paper has no figure
 };
 constexpr PaperFigure none{"-", 0};
 constexpr std::array<PaperRow, 7> paper_rows{{
@@ -37,7 +37,7 @@ const Measured* find(const std::vector<Measured>& all, std::string_view name) {
     return found == all.end() || !found->valid() ? nullptr : &*found;
 }
 
-/// How many times as fast `fast` is as `slow`.
+/// The frame rate of `fast` over that of `slow`.
 std::optional<double> speed_ratio(const SceneResult* scene, std::string_view fast,
                                   std::string_view slow) {
     if (scene == nullptr) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<double> speed_ratio(const SceneResult* scene, std::string_view fas
     return time_ratio(*b, *a);
 }
 
-/// How many times as long a frame takes on one subject as on another.
+/// The frame time on `more` over that on `less`.
 std::optional<double> frame_cost(const SceneResult* more, const SceneResult* less,
                                  std::string_view method) {
     if (more == nullptr || less == nullptr) return std::nullopt;
@@ -57,8 +57,8 @@ std::optional<double> frame_cost(const SceneResult* more, const SceneResult* les
     return time_ratio(*a, *b);
 }
 
-/// The frame without its depth pass. What that takes is known from its stages only: the atlas
-/// leaves out what is hidden, so a pass with every triangle would be another.
+/// The frame time without the depth pass. The pass is known from the stages alone: the atlas leaves
+/// out hidden triangles, so the benchmark's pass with all triangles is another one.
 std::optional<double> without_depth(const SceneResult* scene) {
     const Measured* frame = scene == nullptr ? nullptr : scene->method("SAhi");
     if (frame == nullptr) return std::nullopt;

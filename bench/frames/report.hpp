@@ -19,26 +19,26 @@ struct SceneResult {
     std::uint32_t triangles = 0;
     std::uint32_t segments = 0;
     std::vector<Measured> methods;
-    std::vector<Measured> depth; ///< all triangles into a depth buffer, "1x" and "2x"
-    /// What the stages of a profiled frame add up to, median; NaN without profiles.
+    std::vector<Measured> depth; ///< drawing all triangles into a depth buffer, "1x" and "2x"
+    /// The median sum of the stages of a profiled frame; NaN without profiles.
     double profiled_ms = std::numeric_limits<double>::quiet_NaN();
 
-    /// Whether it is one of Table 1, or a model measured likewise.
+    /// True for rows of Table 1 and for models measured in the same way.
     bool is_of_table() const;
-    /// Nothing if it was not measured.
+    /// The result of a method; null if it was not measured.
     const Measured* method(std::string_view method_name) const;
     const Measured* depth_at(int scale) const;
 };
 
 struct Report {
-    std::string device; ///< what computes, and how buffers are shared
+    std::string device; ///< the device and the sharing mode
     std::string gl;
     glm::ivec2 size{0};
     std::vector<SceneResult> scenes;
 
     const SceneResult* scene(std::string_view name) const;
-    /// The frame time of OGL on this scene, or for "+s" on the scene without; nothing if not
-    /// measured.
+    /// The result of OGL on this scene; for "+s" that of the scene without silhouettes. Null if it
+    /// was not measured.
     const Measured* opengl_for(std::string_view scene_name) const;
 };
 
@@ -49,17 +49,17 @@ struct PaperFigure {
 };
 std::optional<PaperFigure> paper_figure(std::string_view scene, std::string_view method);
 
-/// The paper's frame rate over its OGL's on the same scene, "+s" or not.
+/// The paper's frame rate of a method over the paper's frame rate of OGL on the same scene.
 std::optional<double> paper_to_opengl(std::string_view scene, std::string_view method);
 
-/// One of the ratios that the project sets itself.
+/// A ratio that the project wants to reach.
 struct Goal {
     std::string what; ///< "SAhi/OGL"
     std::string scene;
     std::optional<double> paper;
-    std::optional<double> ours; ///< nothing if something it needs was not measured
+    std::optional<double> ours; ///< nothing if a figure for it was not measured
     double must, aim;
-    bool at_most = false; ///< smaller is better
+    bool at_most = false; ///< the bounds are upper bounds
 
     bool reaches(double bound) const { return ours && (at_most ? *ours <= bound : *ours >= bound); }
 };

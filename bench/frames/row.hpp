@@ -13,7 +13,7 @@
 
 namespace lineatlas::bench {
 
-/// A depth pass alone that draws every triangle, hidden or not, as OGL does; on buffers of its own.
+/// A lone depth pass on buffers of its own. Like OGL, it draws every triangle, hidden or not.
 class DepthOnly {
   public:
     explicit DepthOnly(const LineSet& lines);
@@ -23,30 +23,31 @@ class DepthOnly {
   private:
     gl::Buffer vertices_, indices_;
     std::uint32_t triangle_count_;
-    // A pass per scale: one pass would make a new texture whenever the scale changes.
+    // One pass per scale, because a pass makes a new texture whenever its scale changes.
     gl::DepthPass passes_[2];
 };
 
-/// What a row draws with: a renderer of its own and these options, but for the kinds of line.
+/// One way of drawing a row: a renderer of its own with these options. The subject sets the kinds
+/// of line.
 struct Drawn {
     std::string name;
     FrameOptions options;
 };
 FrameOptions method_options(const MethodSpec& spec);
 
-/// Everything that takes part in one row: what is drawn, then the depth pass at 1x and at 2x. Each
-/// has a renderer of its own: a shared one would rebuild tables and textures whenever its
-/// next frame is of another method or quality. The canvas must live as long.
+/// The contestants of one row: the drawings, then the depth pass at 1x and at 2x. Each drawing has
+/// a renderer of its own: a shared renderer would rebuild tables and textures whenever the next
+/// frame has another method or quality. The canvas must outlive the row.
 class Row {
   public:
     Row(const Subject& subject, std::span<const Drawn> drawings, const DeviceOptions& device,
         gl::Canvas& canvas);
 
     const std::vector<Contestant>& contestants() const { return contestants_; }
-    /// See Renderer::description(); empty without methods.
+    /// Renderer::description(); empty without drawings.
     const std::string& description() const { return description_; }
 
-    /// `measured` in the order of the contestants.
+    /// The row's figures. `measured` is in the order of the contestants.
     SceneResult result(std::span<const Measured> measured) const;
 
   private:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr LineKindMask fixed_kinds = all_line_kinds & ~mask_of(LineKind::silhouette);
 
-/// How far along the path the frame before lies: the whole path takes 10 s at 60 frames a second.
+/// The distance along the path from frame to frame: the path takes 10 s at 60 frames a second.
 constexpr float frame_step = 1.0F / 600;
 
 std::vector<Viewpoint> viewpoints_along(const std::function<View(float)>& path, glm::ivec2 size,
@@ -91,7 +91,7 @@ Subject scene_subject(const std::string& name, glm::ivec2 size, std::size_t fram
 Subject model_subject(const std::filesystem::path& path, glm::vec3 up, bool silhouettes,
                       glm::ivec2 size, std::size_t frames) {
     const LoadedMesh loaded = load_mesh(path);
-    if (!silhouettes) { // the second row has no news
+    if (!silhouettes) { // the notes are the same in the second row
         for (const std::string& note : loaded.notes) print_error("note: " + note + "\n");
     }
     return orbit_subject(path.stem().string() + (silhouettes ? "+s" : ""), loaded.mesh,
@@ -113,7 +113,7 @@ std::vector<Subject> hidden_subjects(glm::ivec2 size, std::size_t frames) {
     const glm::vec3 right = glm::normalize(glm::cross(forward, start.up));
     const glm::vec3 upward = glm::cross(right, forward);
 
-    // The cone that holds the ship holds its copies, so a wall across the cone hides all of them.
+    // A cone from the eye around the ship holds the copies too. A wall across it hides all copies.
     float nearest = std::numeric_limits<float>::infinity();
     float farthest = 0;
     glm::vec2 slope{0};
@@ -157,7 +157,7 @@ std::vector<Subject> far_subjects(glm::ivec2 size, std::size_t frames) {
     const View start = frame_points(mesh.positions, size);
     const LineOptions options{.lines = fixed_kinds};
     Subject near{"far 1x", extract_lines(mesh, options), fixed_kinds, {}};
-    // A model of a twentieth the size is a model from 20 times as far, and has the same viewpoints.
+    // A twentieth of the size looks like 20 times the distance and keeps the viewpoints.
     for (glm::vec3& position : mesh.positions)
         position = start.target + (position - start.target) / 20.0F;
     Subject far{"far 20x", extract_lines(mesh, options), fixed_kinds, {}};

@@ -13,7 +13,7 @@ namespace {
 constexpr int label_width = 10;
 constexpr int cell_width = 15;
 
-/// Said in headings; nothing for a model that the paper does not have.
+/// Words for headings; empty if no scene is in the paper.
 const char* papers_too(const Report& report) {
     const bool any = std::ranges::any_of(report.scenes, [](const SceneResult& scene) {
         return paper_figure(scene.name, "SAhi").has_value();
@@ -21,7 +21,7 @@ const char* papers_too(const Report& report) {
     return any ? " (the paper's)" : "";
 }
 
-/// Three digits, whatever the magnitude.
+/// A number with three digits, whatever its magnitude.
 std::string number(double value) {
     if (value >= 99.95) return fmt::format("{:.0f}", value);
     if (value >= 9.995) return fmt::format("{:.1f}", value);
@@ -119,7 +119,7 @@ void print_stages(const Report& report) {
     }
 }
 
-/// Two subjects that are measured against each other.
+/// Prints the rows of two subjects that were measured against each other.
 void print_pair(const Report& report, std::string_view first, std::string_view second,
                 std::string_view what) {
     if (report.scene(first) == nullptr || report.scene(second) == nullptr) return;

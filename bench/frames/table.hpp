@@ -4,8 +4,8 @@
 
 namespace lineatlas::bench {
 
-/// The paper's Table 1 with our figures beside the paper's, the ratios to OGL likewise,
-/// milliseconds, where they go, and the goals.
+/// Prints Table 1 with this machine's figures beside the paper's, the ratios to OGL likewise,
+/// milliseconds, their share per stage, and the goals.
 void print_report(const Report& report);
 
 } // namespace lineatlas::bench

@@ -1,5 +1,5 @@
-// What handing buffers over between GL and OpenCL costs, in every mode of every device, and what a
-// call costs in a program that embeds the renderer.
+// Measures hand-overs of buffers between GL and OpenCL, in every sharing mode of every device, and
+// the cost of a call in a program that embeds the renderer.
 
 #include <algorithm>
 #include <filesystem>

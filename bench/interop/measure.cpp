@@ -28,13 +28,13 @@ double milliseconds_of(const auto& work) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// A device and a mode that works.
+/// A device and a sharing mode that works on it.
 struct Path {
     std::string device;
     interop::Connection connection;
 };
 
-/// A path with a buffer of one size, and what was measured of it.
+/// A path with a buffer of one size, and its measured times.
 class Subject {
   public:
     Subject(const Path& path, std::size_t bytes)
@@ -84,7 +84,7 @@ class Subject {
                                &one);
         glFinish();
     }
-    /// Ones become 0, 1, 2, ...
+    /// Scans a buffer of ones into 0, 1, 2, ...
     void write_by_compute() {
         path_.connection.stages->scan(table_.compute(), count() - 1, compute::ScanKind::saturate);
         path_.connection.device->finish();
@@ -132,8 +132,8 @@ void measure_size(const std::vector<Path>& paths, std::size_t bytes, unsigned ro
     for (const auto& subject : subjects) report.costs.push_back(subject->cost());
 }
 
-/// What a call of the renderer does in a program's context beyond its passes: looks at the context
-/// and at the program's depth, keeps and restores GL's state, and makes the camera its own.
+/// Milliseconds of a renderer's call in a program's context beyond its passes. The call checks the
+/// context and the program's depth, saves and restores GL's state, and converts the camera.
 double measure_call() {
     constexpr glm::ivec2 size{320, 240};
     const gl::Texture2D depth = gl::Texture2D::create();
@@ -161,7 +161,8 @@ HandoverReport measure_handovers(const HandoverOptions& options) {
     report.call = measure_call();
     const std::vector<Path> paths = find_paths(options, report);
     for (const std::size_t bytes : options.sizes) {
-        measure_size(paths, bytes, 1, report); // kernels are built for the size, pages touched
+        measure_size(paths, bytes, 1,
+                     report); // builds the kernels for this size and touches the pages
         report.costs.resize(report.costs.size() - paths.size());
         measure_size(paths, bytes, options.rounds, report);
     }

@@ -1,7 +1,7 @@
 // atlas: n samples with 9 probes each, of segments of 20 samples strewn over the picture, half
 // hidden. Bytes: per sample 9 depth texels (36) and the result (1), per segment the clipped segment
-// (48) and an offset (4). Neighbouring probes share texels in the cache: a share of the copy above
-// 1 is possible.
+// (48) and an offset (4). Neighbouring probes share texels in the cache, so the share of the copy
+// may be above 1.
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr int depth_scale = 2;
 constexpr float step = 2;
 constexpr std::uint32_t samples_each = 20;
 
-/// Segments of the right length anywhere in the picture, on either side of depth 0.5.
+/// Segments of 20 samples anywhere in the picture, before or behind depth 0.5.
 std::vector<ClippedSegment> strewn_segments(std::uint32_t count) {
     Random random{5};
     std::vector<ClippedSegment> result(count);
@@ -48,7 +48,8 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
 
     const SharedBuffer clipped = to_device(device, strewn_segments(count));
     const SharedBuffer offsets = to_device(device, offset_values);
-    const SharedBuffer arcs = device.allocate(sizeof(std::uint32_t)); // atlas doesn't read them
+    const SharedBuffer arcs =
+        device.allocate(sizeof(std::uint32_t)); // the stage does not read arcs
     const SharedBuffer depth = to_device(device, depth_values);
     const SharedBuffer alpha = device.allocate(n);
     const auto run = [=, &stages] {

@@ -1,9 +1,8 @@
-// carry: n silhouettes in chains (paths.hpp), of which every eighth is new and every path has moved
-// on by its own number of pixels since the frame before. Bytes per silhouette, what each kernel
-// reads and writes once: recall 120 (segment 32, clipped 48, memory 16, recalled 8, four words),
-// keep 52, list 8, breaks 56, pieces 4, settle 12, place 140 (as recall, and carried 8 and four
-// words more), and 12 for each of four scans. Per run: itself read and
-// written (80 each), its coordinates and its arc length (20).
+// carry: n silhouettes in chains (paths.hpp). Every eighth silhouette is new. Every path has moved
+// by its own number of pixels since the last frame. Bytes per silhouette: recall 120 (segment 32,
+// clipped 48, memory 16, recalled 8, four words), keep 52, list 8, breaks 56, pieces 4, settle 12,
+// place 140 (as recall, also carried 8 and four words), and 12 for each of four scans. Bytes per
+// run: the run read and written (80 each), its coordinates and its arc length (20).
 
 #include "compute/stages/carried_coordinates.hpp"
 #include "paths.hpp"
@@ -11,7 +10,7 @@
 namespace lineatlas::bench {
 namespace {
 
-/// What the frame before left: LA_MEMORY_WORDS each.
+/// The memory of the last frame, LA_MEMORY_WORDS per silhouette.
 std::vector<std::uint32_t> make_memory(const Paths& paths, std::uint32_t frame) {
     std::vector<std::uint32_t> memory;
     for (std::uint32_t i = 0; i < paths.segments.size(); ++i) {

@@ -1,10 +1,9 @@
-// silhouette, silhouette_list, chain: n candidates in rings of 64 edges, in any order; of every
-// other ring all are silhouettes.
-// Bytes: of silhouette per candidate the segment (32), its two faces (2) and the result (4). Of the
-// list per candidate its number and position (8), per silhouette which it is (4). Of chain per
-// silhouette its segment (32) twice, its ends and those they meet (32), two ways of 16 bytes read
-// and written in each of 8 steps (512), its place written and read (32), and its number, start and
-// origin (16).
+// silhouette, silhouette_list, chain: n candidates in rings of 64 edges, in random order. All edges
+// of every second ring are silhouettes. Bytes of silhouette, per candidate: the segment (32), its
+// two faces (2) and the result (4). Bytes of silhouette_list: the number and position of each
+// candidate (8), the index of each silhouette (4). Bytes of chain, per silhouette: its segment
+// twice (64), its ends and the ends that they meet (32), two ways of 16 bytes read and written in
+// each of 8 steps (512), its place written and read (32), and its number, start and origin (16).
 
 #include <algorithm>
 #include <numeric>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t ring = 64;
 
-/// What both stages work on.
+/// The input of all three stages.
 struct Rings {
     Rings(compute::Stages& stages, std::uint32_t n)
         : device(stages.device()), count(n),

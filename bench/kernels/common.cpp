@@ -79,7 +79,7 @@ double copy_limit(const Devices& devices, std::uint32_t n) {
     for (const Row& row : copy_rows(devices)) {
         if (row.name.starts_with("copy/device")) jobs.push_back(row.prepare(n));
     }
-    // As long for every size as one of the largest takes for a few rounds.
+    // Small sizes get more rounds, so that every size takes about the same time.
     const int rounds = static_cast<int>(std::clamp(0x1p27 / n, 15.0, 1000.0));
     double best = 0;
     const std::vector<double> seconds = race(jobs, rounds);
@@ -95,8 +95,8 @@ void require(bool right, const std::string& row) {
 
 namespace {
 
-/// Floats within 1e-5, but for one in ten thousand: where a line just reaches another, rounding
-/// decides.
+/// True if integers are equal, or floats agree within 1e-5. One float in ten thousand may differ:
+/// where a line just reaches another line, rounding decides.
 bool is_equal(const Result& a, const Result& b) {
     if (!std::holds_alternative<std::vector<float>>(a)) return a == b;
     const auto &first = std::get<std::vector<float>>(a), &second = std::get<std::vector<float>>(b);

@@ -15,41 +15,42 @@
 
 namespace lineatlas::bench {
 
-/// What rows are measured on: one OpenCL device, and the same kernels as C++ beside it.
+/// The devices that rows are measured on: one OpenCL device, and `cpp` with the same kernels.
 struct Devices {
     std::unique_ptr<compute::OpenClBackend> opencl;
     std::unique_ptr<compute::Device> cpp;
-    std::unique_ptr<compute::Stages> opencl_stages, cpp_stages; ///< on them
+    std::unique_ptr<compute::Stages> opencl_stages, cpp_stages; ///< the stages on these devices
 };
 
 Devices make_devices(std::unique_ptr<compute::OpenClBackend> opencl);
 
-/// The device is `name`, else LINEATLAS_DEVICE, else the first. `form`: "cpu" or "gpu", whose
-/// launch parameters are taken; empty: the device's own. Throws as find_opencl_devices does.
+/// Opens the device `name`, else that of LINEATLAS_DEVICE, else the first one. `form`: "cpu" or
+/// "gpu" for the launch parameters of such devices; empty: the device's own. Throws as
+/// find_opencl_devices() does.
 Devices open_devices(std::string name, const std::string& form = {});
 
-/// Integers, which are equal bit by bit on every device, or floats, which are nearly.
+/// Integers are equal bit by bit on every device, floats are nearly equal.
 using Result = std::variant<std::vector<std::uint8_t>, std::vector<float>>;
 
 /// One row at one size, ready to be timed.
 struct Job {
-    std::function<void()> run;     ///< all of the work; returns when it is done
-    double bytes = 0;              ///< counted per run; every stage's file says what is counted
+    std::function<void()> run;     ///< does all of the work and waits for it
+    double bytes = 0;              ///< counted per run, as the head of the stage's file says
     std::function<void()> reset{}; ///< if set, restores what a run overwrites; not timed
-    /// What a run leaves, of a job of stages: the same on every device.
+    /// The result of a run, the same on every device. Only jobs of stages have it.
     std::function<Result()> result{};
 };
 
-/// A way of doing a stage.
+/// One way to do a stage's work.
 struct Row {
     std::string name; ///< "<stage>/<way>"
     std::function<Job(std::uint32_t n)>
-        prepare; ///< runs it once; throws Error if the result is wrong
+        prepare; ///< also runs the job once; throws Error if the result is wrong
 };
 using Rows = std::vector<Row>;
 
-// The rows of every stage; those of a frame's kernels are "<stage>/ours" and "<stage>/cpp".
-// `devices` must outlive them.
+// The rows of every stage. Rows of a frame's kernels are "<stage>/ours" and "<stage>/cpp".
+// `devices` must outlive the rows.
 Rows copy_rows(const Devices& devices);
 Rows transform_rows(const Devices& devices);
 Rows depth_rows(const Devices& devices);
@@ -75,28 +76,28 @@ Rows filter_rows(const Devices& devices);
 Rows density_rows(const Devices& devices);
 Rows fill_rows(const Devices& devices);
 Rows strokes_rows(const Devices& devices);
-Rows vector_path_rows(const Devices& devices); ///< on the host alone: "<step>/host"
+Rows vector_path_rows(const Devices& devices); ///< steps on the host: "<step>/host"
 
-/// All of them, in the order of a frame.
+/// The rows of all stages, about in the order of a frame.
 Rows all_rows(const Devices& devices);
 
-/// "<stage>/copy": the plainest kernel that reads and writes as many bytes as `bytes_of` says of n
-/// elements, half each.
+/// The row "<stage>/copy": a plain kernel that copies. It reads half of `bytes_of(n)` bytes and
+/// writes as many.
 Row copy_row(const Devices& devices, const std::string& stage,
              std::function<double(std::uint32_t n)> bytes_of);
 
 /// Wall-clock time of one run, after a reset.
 double seconds_of(const Job& job);
 
-/// Runs the jobs in turns, so that what else happens on the machine meets all of them alike: the
-/// median seconds of each.
+/// The median seconds of each job. The jobs run by turns, so that other work on the machine affects
+/// all of them alike.
 std::vector<double> race(const std::vector<Job>& jobs, int rounds);
 
-/// Bytes per second of the fastest plain copy of n uint32 on the device: the limit that
-/// `share_of_copy` refers to. Measured when first asked for.
+/// Bytes per second of the fastest plain copy of n uint32 on the device. `share_of_copy` refers to
+/// this limit. The first call for each n measures it.
 double copy_limit(const Devices& devices, std::uint32_t n);
 
-/// Random numbers that are the same in every run.
+/// Random numbers, the same in every run.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -115,7 +116,7 @@ class Random {
     std::mt19937 engine_;
 };
 
-/// A job owns its buffers through this.
+/// A buffer that the functions of a job own together.
 using SharedBuffer = std::shared_ptr<compute::Buffer>;
 
 template <class T>
@@ -138,13 +139,13 @@ std::vector<std::uint8_t> members(const std::vector<T>& elements, std::uint32_t 
     return bytes;
 }
 
-/// Throws Error unless it is right.
+/// Throws Error with the row's name unless `right`.
 void require(bool right, const std::string& row);
 
 /// Makes a job on a device.
 using Prepare = Job (*)(compute::Stages& stages, std::uint32_t n);
 
-/// "<stage>/ours" on the OpenCL device, which must leave what C++ does, and "<stage>/cpp".
+/// The rows "<stage>/ours" on the OpenCL device and "<stage>/cpp". Both must give the same result.
 Rows own_rows(const Devices& devices, const std::string& stage, Prepare prepare);
 
 } // namespace lineatlas::bench

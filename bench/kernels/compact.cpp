@@ -1,5 +1,5 @@
-// compact: n segments in paths (paths.hpp). Bytes: per segment its offset (4); per sample 1; per
-// run the run (80), its segment (32), its clipped segment (48) and an arc length (4).
+// compact: n segments in paths (paths.hpp). Bytes: per segment its offset (4); per sample its alpha
+// (1); per run the run (80), its segment (32), its clipped segment (48) and an arc length (4).
 
 #include <algorithm>
 

@@ -1,8 +1,9 @@
-// contour: n triangles between n corners of random normals, of which three of four are crossed.
-// Bytes: per corner itself (16), where it is (12) and how it faces the eye (4); per triangle its
-// corners (12), how these face it (12) and whether it is crossed (4), and of those that are which
-// they are (4), their corners (12), how these face it (12), what they are (48) and where (36),
-// edges (24), the numbers of two neighbours (8), two places (24) and the crossing (20).
+// contour: n triangles between n corners with random normals. Three triangles of four are crossed
+// by the contour. Bytes per corner: the corner (16), its position (12) and its facing (4). Bytes
+// per triangle: its corners (12), their facing (12) and whether it is crossed (4). Bytes per
+// crossed triangle: its index (4), its corners (12), their facing (12), their records (48) and
+// positions (36), its edges (24), the numbers of two neighbours (8), two places (24) and the
+// crossing (20).
 
 #include <algorithm>
 #include <iterator>
@@ -40,7 +41,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                        front = to_device(device, std::vector<std::uint8_t>(n, 1)),
                        crossed = to_device(device, std::vector<std::uint32_t>(n)),
                        crossings = to_device(device, std::vector<compute::ContourCrossing>(n));
-    // Made of what a job owns: the tables themselves own nothing.
+    // Makes tables of the job's buffers. Tables own nothing, so the job keeps the buffers.
     const auto tables = [=] {
         return compute::ContourTables{.corners = corner_table.get(),
                                       .edges = edge_table.get(),
@@ -88,8 +89,8 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
-/// contour_turn: n corners of 500 objects. Bytes: per corner itself read and written (32) and its
-/// object (4).
+/// contour_turn: n corners of 500 objects. Bytes per corner: the corner read and written (32) and
+/// its object (4).
 Job prepare_turn(compute::Stages& stages, std::uint32_t n) {
     constexpr std::uint32_t object_count = 500;
     compute::Device& device = stages.device();
@@ -101,7 +102,7 @@ Job prepare_turn(compute::Stages& stages, std::uint32_t n) {
         object_values[i] = static_cast<std::uint32_t>(std::uint64_t{i} * object_count / n);
     }
     for (std::size_t i = 0; i < turn_values.size(); ++i)
-        turn_values[i] = i % 4 == 0 ? 2.0F : 0.1F; // 4 goes around three rows of three
+        turn_values[i] = i % 4 == 0 ? 2.0F : 0.1F; // any matrix takes as long
     const SharedBuffer rest = to_device(device, values), corners = to_device(device, values),
                        objects = to_device(device, object_values),
                        turns = to_device(device, turn_values);
@@ -116,8 +117,9 @@ Job prepare_turn(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
-/// contour_normals: n corners of a terrain of n triangles, with two triangles at each. Bytes: per
-/// corner its normal (12) and offset (4), per triangle there which it is (4) and its vertices (12).
+/// contour_normals: n corners of a terrain of n triangles, with two triangles at each corner. Bytes
+/// per corner: its normal (12), its offset (4), and for each of its triangles the place in the list
+/// (4) and the vertices (12).
 Job prepare_normals(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
     const Terrain terrain = make_terrain(n, 0);

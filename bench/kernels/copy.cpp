@@ -1,5 +1,5 @@
-// copy: the limit. n uint32 from one buffer to another.
-// Bytes: 4 read and 4 written per element.
+// copy: n uint32 from one buffer to another. Its speed is the limit that other rows are compared
+// with. Bytes: 4 read and 4 written per element.
 
 #include <cmath>
 #include <cstring>
@@ -36,7 +36,7 @@ const cl::Buffer& memory_of(const SharedBuffer& buffer) {
     return static_cast<compute::OpenClBuffer&>(*buffer).memory;
 }
 
-/// Runs the job once and checks what it copied.
+/// Runs the job once and checks the copy.
 Job checked(compute::Device& device, const Pair& pair, std::function<void()> run) {
     const std::size_t n = pair.values.size();
     run();
@@ -44,7 +44,7 @@ Job checked(compute::Device& device, const Pair& pair, std::function<void()> run
     return {.run = std::move(run), .bytes = 8.0 * static_cast<double>(n)};
 }
 
-/// clEnqueueCopyBuffer. On PoCL a memcpy by one thread.
+/// clEnqueueCopyBuffer. PoCL does it by memcpy in one thread.
 Job prepare_enqueue(compute::OpenClBackend& device, std::uint32_t n) {
     const Pair pair{device, n};
     return checked(device, pair, [&device, from = pair.from, to = pair.to, n] {
@@ -56,9 +56,9 @@ Job prepare_enqueue(compute::OpenClBackend& device, std::uint32_t n) {
 
 constexpr cl_uint pieces = 16, width = 16;
 
-/// The plainest kernel that suits the device: on a CPU as many serial pieces as `scan` has, on a
-/// GPU a work-item per element. Sizes are multiples of pieces * width, so that nothing is left
-/// over.
+/// The plainest kernel that suits the device: on a CPU one work-item for each of `pieces` parts, as
+/// `scan` has them; on a GPU one work-item per element. Sizes are multiples of pieces * width, so
+/// no element is left over.
 Job prepare_kernel(compute::OpenClBackend& device, std::uint32_t n) {
     const Pair pair{device, n};
     const bool chunks = device.device().is_cpu;

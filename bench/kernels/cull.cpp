@@ -1,5 +1,5 @@
-// cull: n clusters strewn over a picture and a little beyond, half of them behind its depth.
-// Bytes: per cluster its box (32) and the result (1), every tile (4) once.
+// cull: n clusters strewn over a picture and a little beyond it. Half of them lie behind its depth.
+// Bytes: per cluster its box (32) and the result (4), every tile (4) once.
 
 #include <glm/ext/matrix_clip_space.hpp>
 
@@ -25,7 +25,7 @@ double bytes_of(std::uint32_t n) {
     return 36.0 * n + 4.0 * static_cast<double>(tile_count());
 }
 
-/// Boxes of 5 to 50 texels between 4 and 6 before the eye, where depth stands at 5.
+/// Boxes of 5 to 50 texels at distances of 4 to 6 from the eye. The depth buffer holds distance 5.
 Input make_input(std::uint32_t n) {
     Random random{7};
     Input input{.clusters = std::vector<Cluster>(n),

@@ -1,7 +1,7 @@
-// depth: n triangles of a terrain, all of it in view, at 2048x1536 texels; `gl` is the GL of this
-// machine, which draws all of them into a texture, and copies that into a buffer. Bytes: per
-// triangle three corners (36), per texel the depth (4). depth_numbers: with the number of the
-// triangle that each texel shows, which takes as many bytes more.
+// depth: n triangles of a terrain that is wholly in view, at 2048x1536 texels. The way `gl` is GL
+// on this machine: it draws all triangles into a texture and copies the texture into a buffer.
+// Bytes: per triangle three corners (36), per texel the depth (4). depth_numbers also writes the
+// number of the triangle that each texel shows, 4 more bytes per texel.
 
 #include "glpasses/depth_pass.hpp"
 #include "glpasses/headless_context.hpp"
@@ -49,7 +49,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
-/// What GL has of the mesh; goes before its context does.
+/// The mesh in GL. The context comes first, because it must end last.
 struct OnGl {
     std::unique_ptr<gl::HeadlessContext> context = std::make_unique<gl::HeadlessContext>();
     gl::DepthPass pass{};

@@ -1,9 +1,9 @@
-// halo and density: n samples in runs of 1 to 15, strewn over a picture of 64 pixels per run, in
-// paths of 16 runs and at two depths. Bytes per run: halo reads the run (80), its segment (32) and
-// its clipped segment (48), writes the cuts (64), writes and reads the lists (24 for each of about
-// three tiles); density reads and writes the run (80) and reads its segment (32) and samples. Its
-// grid has 16 bins of 4 bytes per cell and is written, smoothed (read and written) and read, and
-// the weights are as large.
+// halo and density: about n samples in runs of 1 to 15, in paths of 16 runs, at two depths, strewn
+// over a picture of 64 pixels per run. Bytes of halo, per run: the run (80), its segment (32), its
+// clipped segment (48), the cuts (64), and an entry of 24 bytes written and read for each of about
+// three tiles. Bytes of density: per run the run read and written (160) and its segment (32), and
+// every sample. The grid has 16 bins of 4 bytes per cell. It is written, smoothed (read and
+// written) and read; the weights, as large as the grid, are written once.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ struct Input {
 };
 
 Input make_input(std::uint32_t n) {
-    const std::uint32_t count = n / 8; // half of the most samples of a run
+    const std::uint32_t count = n / 8; // a run has 8 samples on average
     Random random{9};
     Input input;
     const float side = std::ceil(std::sqrt(64.0F * static_cast<float>(count)));

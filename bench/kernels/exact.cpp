@@ -1,5 +1,5 @@
-// surfaces, tile_lists, visible, spans: the exact method on n segments and triangles of a terrain.
-// Bytes: about what a segment and its triangle take in the tables of the stage.
+// surfaces, tile_lists, visible, spans: the method exact on n segments and n triangles of a
+// terrain. Bytes: an estimate for a segment and a triangle in the tables of the stage.
 
 #include <algorithm>
 #include <iterator>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr glm::ivec2 size{1024, 768};
 
-/// A terrain with all that its stages have found, once.
+/// A terrain after every stage has run once.
 struct Found {
     Found(compute::Stages& stages, std::uint32_t n)
         : terrain(make_terrain(n, n)), count(n),
@@ -86,7 +86,7 @@ struct Found {
     SharedBuffer runs, record, intervals, total;
 };
 
-/// A job that does one stage again.
+/// A job that repeats one stage.
 template <class Stage>
 Job job(compute::Stages& stages, std::uint32_t n, double bytes, Stage stage) {
     const auto found = std::make_shared<Found>(stages, n);

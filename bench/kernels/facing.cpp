@@ -1,5 +1,5 @@
 // facing: n triangles of a terrain.
-// Bytes: per triangle its 3 indices (12) and the result (1), and every vertex (12) once.
+// Bytes: per triangle its three indices (12) and the result (1), every vertex (12) once.
 
 #include "terrain.hpp"
 

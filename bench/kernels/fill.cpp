@@ -1,6 +1,6 @@
-// fill: n pixels of four texels each, which show a terrain of n / 8 triangles, lit, all of them.
-// Bytes: per pixel its texels (16) and its colour (4), per triangle its corners (3), its colour
-// read and its shade written (8), and every vertex (12) once.
+// fill: n pixels of four texels each, which show a lit terrain of n / 8 triangles.
+// Bytes: per pixel its texels (16) and its colour (4); per triangle its corners (3), its colour
+// read and its shade written (8); every vertex (12) once.
 
 #include "terrain_meshlets.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t width = 1024; // pixels
 
-/// Each triangle in a piece of a row of 16 texels, with some texels of the next one among them.
+/// Each triangle fills 16 texels of a row, with texels of the next triangle mixed in at the border.
 std::vector<std::uint32_t> make_numbers(std::uint32_t pixels, std::uint32_t triangles) {
     Random random{1};
     std::vector<std::uint32_t> numbers(std::size_t{4} * pixels);

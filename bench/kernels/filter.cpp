@@ -1,7 +1,7 @@
 // filter: the visible runs of n segments in paths (paths.hpp), with holes closed, short runs
-// dropped, and ends that overshoot. Bytes: per run twice (it is counted, then written) the run
-// (80), its segment (32), clipped segment (48), offset and arc length (8); per run that results
-// itself (80); per sample 1.
+// dropped, and ends that overshoot. Bytes: per run the run (80), its segment (32), its clipped
+// segment (48), its offset and its arc length (8), each of these twice, for counting and for
+// writing; per resulting run 80; per sample 1.
 
 #include "paths.hpp"
 

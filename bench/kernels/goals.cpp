@@ -31,7 +31,7 @@ void measure(Goal& goal, const Rows& rows) {
     if (!goal.rival.empty()) {
         jobs.push_back(row_named(rows, goal.rival).prepare(goal_size));
         const std::vector<double> seconds = race(jobs, rounds);
-        goal.seen = seconds[1] / seconds[0]; // how often the row is done in the rival's time
+        goal.seen = seconds[1] / seconds[0]; // the rival's time over the row's
         return;
     }
     for (const Row& row : rows) {

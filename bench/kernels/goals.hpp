@@ -4,7 +4,7 @@
 
 namespace lineatlas::bench {
 
-/// What is wanted of a row at 4 million elements.
+/// The wanted speed of a row at goal_size elements.
 struct Goal {
     std::string name;
     std::string row;
@@ -20,7 +20,7 @@ std::vector<Goal> known_goals();
 /// Runs the row and its rival in turns and sets `seen`.
 void measure(Goal& goal, const Rows& rows);
 
-/// The table of those that were measured.
+/// The table of the measured goals.
 std::string table(const std::vector<Goal>& goals);
 
 } // namespace lineatlas::bench

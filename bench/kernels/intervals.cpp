@@ -1,7 +1,7 @@
-// intervals: visible pieces of n segments in paths (paths.hpp), their ends narrowed down before an
-// empty depth buffer. Bytes: per segment its offset (4); per sample 1; per interval itself (76,
-// read and written again by the last step: 152), its segment (32), its clipped segment (48) and an
-// arc length (4); what is read of the depth is left out.
+// intervals: visible intervals of n segments in paths (paths.hpp). Their ends are refined against
+// an empty depth buffer. Bytes: per segment its offset (4); per sample 1; per interval the interval
+// (76, written and then changed by the last step: 152), its segment (32), its clipped segment (48)
+// and an arc length (4). Reads of the depth buffer do not count.
 
 #include "paths.hpp"
 
@@ -20,7 +20,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const glm::ivec2 depth_size{Paths::viewport};
     const SharedBuffer depth =
         to_device(device, std::vector<float>(std::size_t(depth_size.x * depth_size.y), 1.0F));
-    // A run is an interval, and each end at a joint may add one.
+    // A run gives one interval, and one more for each end at a join.
     const std::uint32_t capacity = 3 * on.runs;
     const SharedBuffer intervals = device.allocate(capacity * sizeof(Interval));
     const SharedBuffer total = device.allocate(sizeof(std::uint32_t));

@@ -1,9 +1,9 @@
-// lineatlas-bench-kernels: every kernel beside its rivals, from 2^14 to 2^24 elements.
+// lineatlas-bench-kernels: times every kernel, and rivals of some, from 2^14 to 2^24 elements.
 //
-// The time is the mean wall-clock time of a run, waiting for the device included. bytes_per_second
-// and share_of_copy come from the median: what else happens on the machine moves it less; p10_us
-// and p90_us, the 10th and 90th percentile, say how much. Rows at small sizes show what a launch
-// costs.
+// The time is the mean wall-clock time of a run, including the wait for the device.
+// bytes_per_second and share_of_copy come from the median, which other work on the machine affects
+// less. p10_us and p90_us are the 10th and 90th percentiles; they show that effect. Rows at small
+// sizes show the cost of a launch.
 
 #include <algorithm>
 #include <filesystem>
@@ -33,13 +33,13 @@ void fail(benchmark::State& state, const std::exception& error) {
     state.SkipWithError(error.what());
 }
 
-/// Google Benchmark calls a row several times to find how often to run it: the job is kept, one at
-/// a time.
+/// The job of a row. Google Benchmark calls a row several times to find the number of runs, so the
+/// last job is kept.
 const Job& prepared(const Row& row, std::uint32_t n) {
     static std::pair<std::string, std::uint32_t> key;
     static Job job;
     if (key != std::pair{row.name, n}) {
-        job = {}; // frees its memory first
+        job = {}; // frees the old job's memory before the new job takes some
         key = {};
         job = row.prepare(n);
         key = {row.name, n};
@@ -105,13 +105,13 @@ void measure_all(const Devices& devices) {
             ->Unit(benchmark::kMillisecond);
     }
     benchmark::RunSpecifiedBenchmarks();
-    // Not into the stream of the rows, which may be JSON or CSV; there, goals are rows.
+    // The stream of rows may be JSON or CSV, where goals are rows. So the table goes elsewhere.
     if (std::ranges::any_of(goals, [](const Goal& goal) { return goal.seen != 0; })) {
         std::cerr << table(goals);
     }
 }
 
-/// The rows that `arguments` choose, each as an argument that chooses it alone.
+/// The rows that `arguments` choose. Each result is an argument that chooses that row alone.
 std::vector<std::string> rows_of(std::vector<std::string> arguments) {
     constexpr std::chrono::seconds limit = std::chrono::minutes{10};
     arguments.emplace_back("--benchmark_list_tests=true");
@@ -161,8 +161,8 @@ int run(int argc, char** argv) {
         turns.run(arguments, rows_of(arguments), json);
         return 0;
     }
-    // Short by default: there are more than a hundred rows. What the user says comes later and
-    // wins.
+    // Short by default, because there are more than a hundred rows. The user's arguments come later
+    // and win.
     std::vector<std::string> passed_on{argv[0], "--benchmark_min_time=0.1",
                                        "--benchmark_counters_tabular=true"};
     if (!json.empty()) {

@@ -1,12 +1,12 @@
-// outline, outline_push, pens: n segments in paths (paths.hpp) before stripes of background:
-// outline by samples of the segment atlas, outline_push as the exact method begins.
-// Bytes: of outline per segment twice (it is counted, then written) its segment (32), clipped
-// segment (48) and two offsets (8), per sample twice two texels (16); per part written 8. Of
-// outline_push per segment its tag (4), two offsets and two arc lengths (16), its number written
-// and read three times (16); per segment that is seen itself (32) and clipped twice (96), two
-// clipped segments (96) and four (192) written; of what is seen of them, offsets twice (64), spans
-// (32) and parts written (16). Of pens per run twice the run (80) and its pens (4), per run that
-// results itself (80).
+// outline, outline_push, pens: n segments in paths (paths.hpp) before stripes of background.
+// outline takes samples of the segment atlas, outline_push is the first step of the method exact.
+// Bytes of outline: per segment the segment (32), its clipped segment (48) and two offsets (8), per
+// sample its texels (16), all of these twice, for counting and for writing; per part 8.
+// Bytes of outline_push: per segment its tag (4), two offsets and two arc lengths (16), its number
+// written and read three times (16); per segment that is seen the segment (32), its clipped segment
+// twice (96), two clipped segments (96) and four more (192) written, offsets of their visible spans
+// twice (64), these spans (32) and parts written (16).
+// Bytes of pens: per run twice the run (80) and its pens (4), per resulting run 80.
 
 #include <algorithm>
 
@@ -17,9 +17,9 @@ namespace {
 
 constexpr glm::ivec2 depth_size{2048, 1536};
 constexpr float depth_scale = 2;
-constexpr float body = 6; // pixels that a body must be deep
+constexpr float body = 6; // least depth of a body, in pixels
 
-/// Stripes of 16 texels, of something and of nothing.
+/// Stripes of 16 texels, by turns with a body and without.
 std::vector<float> striped_depth() {
     std::vector<float> depth;
     depth.reserve(static_cast<std::size_t>(depth_size.x) * static_cast<std::size_t>(depth_size.y));
@@ -29,7 +29,7 @@ std::vector<float> striped_depth() {
     return depth;
 }
 
-/// Paths, and which parts of them have the background beside them.
+/// Paths, and the parts of them with background on one side.
 struct Outlines {
     Outlines(compute::Stages& stages, const Paths& from)
         : device(stages.device()), paths(device, from), depth(to_device(device, striped_depth())),
@@ -84,7 +84,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const std::size_t beside = LA_OUTLINE_BESIDE * std::size_t{n};
     const std::size_t count = LA_OUTLINE_WITHIN * std::size_t{n};
     const SharedBuffer pushed = to_device(device, std::vector<ClippedSegment>(count));
-    // One span of each way beside a segment is seen, and nothing of those within a body.
+    // Each way beside a segment has one visible span, each way within a body has none.
     std::vector<std::uint32_t> one_each(beside + 1);
     std::ranges::generate(one_each, [next = 0U]() mutable { return next++; });
     const SharedBuffer offsets = to_device(device, one_each);
@@ -97,7 +97,7 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const auto find_seen = [=, &stages] {
         stages.outline_seen({.table = on.table(),
                              .clipped = on.atlas().clipped,
-                             // What has samples is seen.
+                             // Segments with samples count as seen.
                              .spans = {*on.offsets, *on.alpha, on.samples},
                              .numbers = *numbers});
     };

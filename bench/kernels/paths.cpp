@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t path_length = 64;
 constexpr float step = 2;
 
-/// Samples that are visible or hidden in turns.
+/// The visibility of sample after sample: 1 to 39 visible ones, then 1 to 39 hidden ones.
 class Visible {
   public:
     bool next(Random& random) {

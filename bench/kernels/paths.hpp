@@ -10,9 +10,9 @@
 
 namespace lineatlas::bench {
 
-/// What `temporal`, `intervals`, `compact` and `filter` work on: n segments in paths of 64. As in a
-/// frame most have no samples: two paths of three are hidden whole. Those of the third have 1 to 7
-/// samples each, in visible runs of 1 to 39.
+/// The input of stages that work on paths: n segments in paths of 64. As in a frame, most segments
+/// have no samples: two paths of three are wholly hidden. Segments of the other paths have 1 to 7
+/// samples each. Along these paths 1 to 39 visible samples and 1 to 39 hidden samples take turns.
 struct Paths {
     static constexpr glm::vec2 viewport{1024, 768};
 
@@ -25,29 +25,29 @@ struct Paths {
 
 Paths make_paths(std::uint32_t n);
 
-/// Their tables on a device.
+/// The tables of Paths on a device.
 struct PathTables {
     PathTables(compute::Device& device, const Paths& paths);
 
     compute::SegmentTable table() const { return {*vertices, *vertices, *segments, 0, count}; }
     compute::SegmentAtlas atlas() const { return {{*clipped, *offsets, *arcs}, *alpha, samples}; }
 
-    std::uint32_t count, samples, runs; ///< segments, and what they have
+    std::uint32_t count, samples, runs; ///< numbers of segments, samples and visible runs
     SharedBuffer vertices, segments, clipped, offsets, arcs, alpha;
 };
 
-/// Room for their visible runs, and the record of a frame.
+/// A table for visible runs, and the record of a frame.
 struct RunTables {
     RunTables(compute::Device& device, std::uint32_t capacity);
 
-    /// The runs that a stage has written. Throws Error if there were more than it has room for.
+    /// The runs that a stage has written. Throws Error if there were more than `capacity`.
     std::vector<Run> read(compute::Device& device) const;
 
     std::uint32_t capacity;
     SharedBuffer runs, record;
 };
 
-/// The visible runs of the paths, by `compact`.
+/// Writes the visible runs of the paths by the stage `compact`.
 void compact(compute::Stages& stages, const PathTables& paths, const RunTables& to);
 
 } // namespace lineatlas::bench

@@ -1,5 +1,5 @@
-// planes: n triangles of a terrain, all of them.
-// Bytes: per triangle its corners (3) and its plane (16), and every vertex (12) once.
+// planes: n triangles of a terrain.
+// Bytes: per triangle its corners (3) and its plane (16), every vertex (12) once.
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const auto result = [&device, planes, n] {
         return read_back<float>(device, *planes, 4 * std::size_t{n});
     };
-    // Of planes seen from the edge the tolerance is infinite.
+    // The tolerance of planes seen edge-on is infinite, which is no error.
     require(std::ranges::none_of(result(), [](float x) { return std::isnan(x); }), "planes");
     const double vertices = static_cast<double>(model.vertices->size());
     return {.run = run, .bytes = 19.0 * n + vertices, .result = result};

@@ -2,7 +2,7 @@
 // Bytes: per segment the segment (32), the two results (8) and, where it has samples, the clipped
 // segment (48); every triangle (12) and vertex (12) once.
 //
-// project_clip_batches: what of them is outside, by the batch. Bytes: per batch its box and a byte.
+// project_clip_batches: the batches outside the picture. Bytes: per batch its box and a byte.
 
 #include <algorithm>
 #include <iterator>
@@ -70,7 +70,8 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
 Job prepare_batches(compute::Stages& stages, std::uint32_t n) {
     const auto made = std::make_shared<Projection>(stages, n);
     made->batches.has_segments(made->table());
-    require(made->batches.has_segments(made->table()), "project_clip_boxes"); // now it stands still
+    require(made->batches.has_segments(made->table()),
+            "project_clip_boxes"); // the second frame without motion makes the boxes
     const auto count = (std::size_t{n} + LA_BATCH - 1) / LA_BATCH;
     const auto run = [=, &stages] {
         const compute::BatchTable batches = made->batches.table();

@@ -1,4 +1,4 @@
-// pyramid: n texels of depth, in pictures of one to two or one to one.
+// pyramid: n texels of depth, in pictures with sides of 2:1 or 1:1.
 // Bytes: 4 read per texel, 4 written per tile.
 
 #include <bit>
@@ -10,7 +10,7 @@ namespace {
 
 using Floats = std::vector<float>;
 
-/// n is a power of two.
+/// The size of a picture of n pixels. n is a power of two.
 glm::ivec2 picture_of(std::uint32_t n) {
     const int bits = std::countr_zero(n);
     return {1 << (bits + 1) / 2, 1 << bits / 2};

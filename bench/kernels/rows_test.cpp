@@ -1,6 +1,5 @@
-// Every kernel is measured: by the rows' own launches, and as `bench kernels --list` tells. Every
-// row runs, as it does when it is timed: with sanitizers they see what a job uses that it does not
-// own.
+// Every kernel is measured: by the launches of the rows, and by `bench kernels --list`. Every row
+// runs as it does when it is timed. Sanitizers then find memory that a job uses and does not own.
 
 #include <array>
 #include <csignal>
@@ -30,12 +29,12 @@ void add_kernels(compute::CommandLog& log, Names& names) {
 Devices devices_here(bool of_gpu = false) {
     compute::OpenClDevice device = compute::find_opencl_devices("opencl").front();
     compute::Tuning tuning = compute::tuning_for(device);
-    tuning.scan_tiles = true; // C++ runs the chunks
+    tuning.scan_tiles = true; // `cpp` already runs the form with chunks
     tuning.depth_each = tuning.stroke_pixels = tuning.face_lists = of_gpu;
     return make_devices(compute::make_opencl_backend(device, {}, tuning));
 }
 
-/// Adds the kernels that rows launch.
+/// Runs the rows and adds the kernels that they launch to `seen`.
 void run(const Devices& devices, const Rows& rows, Names& seen) {
     const auto opencl_log = devices.opencl->begin_log(), cpp_log = devices.cpp->begin_log();
     for (const Row& row : rows) {
@@ -93,7 +92,7 @@ std::string printed(const std::string& arguments, int exit_code) {
     return text;
 }
 
-/// The program beside itself: both take all turns, and the files pair them.
+/// Compares the program with itself. Both take all turns, and the two files pair them.
 TEST(Rows, TwoBuildsTakeTurns) {
     const Scratch scratch;
     const std::string own = (scratch.folder / "own.json").string();
@@ -123,7 +122,7 @@ TEST(Rows, TurnsNeedAnotherBuild) {
               std::string::npos);
 }
 
-/// `--watch` in a process of its own, which is ended with it.
+/// A process with `--watch`. The destructor ends it.
 class Watching {
   public:
     explicit Watching(const std::filesystem::path& kernels)
@@ -141,7 +140,7 @@ class Watching {
     Watching(const Watching&) = delete;
     Watching& operator=(const Watching&) = delete;
 
-    /// The next one that it prints; empty at its end.
+    /// The next line of its output; empty after its end.
     std::string line() {
         std::array<char, 1024> text{};
         return std::fgets(text.data(), text.size(), program_) != nullptr ? text.data() : "";

@@ -1,8 +1,8 @@
 // scan: exclusive prefix sums of n uint32, in place.
-// Bytes: 4 read and 4 written per element, however often a way reads them.
+// Bytes: 4 read and 4 written per element, however often a way reads an element.
 //
-// In place is how the frame scans, and rivals gain from it too. The input is copied back before
-// every run, which isn't timed: sums of sums would soon reach the largest value, where saturation
+// A frame scans in place, and rivals gain from that too. The input is copied back before every run,
+// which is not timed. Otherwise sums of sums would soon reach the largest value, where saturation
 // has other work to do than in a frame.
 
 #include <algorithm>
@@ -104,7 +104,7 @@ Job prepare_host(void (*scan)(Values&), std::uint32_t n) {
     const auto values = std::make_shared<Values>(input);
     scan(*values);
     require(*values == scanned(input), "scan in C++");
-    // Copied in place: another allocation would be other pages.
+    // The same allocation is filled again, because a new one would have other pages.
     return counted([scan, values] { scan(*values); },
                    [input, values] { std::ranges::copy(input, values->begin()); }, n);
 }
@@ -114,7 +114,7 @@ Job prepare_host(void (*scan)(Values&), std::uint32_t n) {
 Rows scan_rows(const Devices& devices) {
     using compute::ScanKind;
     Rows rows = own_rows(devices, "scan", prepare<ScanKind::saturate>);
-    // What the rivals compute: a sum that wraps.
+    // Rivals compute a sum that wraps.
     std::ranges::move(own_rows(devices, "scan_wrap", prepare<ScanKind::wrap>),
                       std::back_inserter(rows));
     compute::OpenClBackend& device = *devices.opencl;

@@ -1,6 +1,6 @@
-// strokes, the compute form: the visible runs of n segments in paths (paths.hpp), 2 pixels wide.
-// Bytes: per run three times (it is counted, listed, drawn) the run (80), twice its entry (8); per
-// sample 1; per pixel 1.
+// strokes in the compute form: the visible runs of n segments in paths (paths.hpp), 2 pixels wide.
+// Bytes: per run the run three times (240), for counting, listing and drawing, and its entry
+// written and read (8); per sample 1; per pixel 1.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const auto pixels = static_cast<std::uint32_t>(part.size.x * part.size.y);
     const glm::ivec2 tiles = compute::part_tiles(part).count;
     const std::size_t bytes = sizeof(std::uint32_t);
-    const std::uint32_t capacity = 4 * on.runs + 4; // of so short runs no more tiles than these
+    const std::uint32_t capacity = 4 * on.runs + 4; // runs so short reach at most 4 tiles
     const SharedBuffer ends =
         device.allocate(compute::stroke_ends(device.tuning(), Paths::viewport) * bytes);
     const SharedBuffer entries = device.allocate(capacity * bytes);
@@ -56,7 +56,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     };
     const std::vector<float> found = result();
     const auto drawn = std::ranges::count_if(found, [](float value) { return value > 100; });
-    // A run darkens a pixel at least, until runs cover one another.
+    // Every run darkens at least one pixel, as long as few runs cover one another.
     require(drawn > std::min<std::ptrdiff_t>(on.runs, pixels / 4), "strokes");
     return {.run = run, .bytes = 248.0 * on.runs + on.samples + pixels, .result = result};
 }

@@ -1,7 +1,7 @@
-// temporal: n segments in paths (paths.hpp), of which every fourth path was longer in the frame
-// before. Bytes: per segment its two offsets (8), its range read and written (8) and the copy of
-// its offset (8); where it has samples the clipped segment (48); per sample itself, that of the
-// frame before, what results, and its copy (5).
+// temporal: n segments in paths (paths.hpp). Of every fourth path less was inside the last picture.
+// Bytes: per segment its two offsets (8), its range read and written (8) and its offset copied (8);
+// per segment with samples the clipped segment (48); per sample the sample and that of the last
+// frame read (2), the result written (1) and copied (2).
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ double bytes_of(const Paths& paths) {
     return bytes;
 }
 
-/// Of the frame before: what `ranges` held of each segment.
+/// The range of each segment that was inside the last picture.
 std::vector<std::uint32_t> make_ranges(const Paths& paths) {
     constexpr std::uint32_t whole = 65535U << 16U, less = 60000U << 16U;
     std::vector<std::uint32_t> ranges;
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> make_ranges(const Paths& paths) {
     return ranges;
 }
 
-/// Samples a little off those of this frame, as a slow move leaves them.
+/// The samples of the last frame: a little off those of this frame, as after a slow move.
 std::vector<std::uint8_t> make_before(const Paths& paths) {
     Random random{10};
     std::vector<std::uint8_t> before = paths.alpha;

@@ -33,7 +33,7 @@ Terrain make_terrain(std::uint32_t triangles, std::uint32_t segments) {
             terrain.triangles.insert(
                 terrain.triangles.end(),
                 {corner, corner + k + 1, corner + 1, corner + 1, corner + k + 1, corner + k + 2});
-            // The diagonal, and the edge to the cell before.
+            // The diagonal, and the edge shared with the previous cell.
             const Segment diagonal{corner + 1, corner + k + 1, face, face + 1, 0, 0,
                                    0,          LA_KIND_CREASE};
             const Segment side{corner, corner + k + 1, face, x > 0 ? face - 1 : LA_NO_FACE, 0, 0,

@@ -4,8 +4,8 @@
 
 namespace lineatlas::bench {
 
-/// A square grid of hills: a mesh of any size whose triangles are neighbours in memory as a real
-/// mesh's are. Seen from above and aside all of it is in view.
+/// Hills on a square grid: a mesh of any size, whose neighbouring triangles lie close in memory as
+/// in real meshes. The camera looks down from one side and has all of it in view.
 struct Terrain {
     std::vector<float> vertices;          ///< 3 each
     std::vector<std::uint32_t> triangles; ///< 3 each
@@ -15,7 +15,7 @@ struct Terrain {
     glm::mat4 clip_from_world{1};
 };
 
-/// With at least `triangles` triangles and exactly `segments` segments.
+/// A terrain with at least `triangles` triangles and exactly `segments` segments.
 Terrain make_terrain(std::uint32_t triangles, std::uint32_t segments);
 
 } // namespace lineatlas::bench

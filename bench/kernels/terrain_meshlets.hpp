@@ -13,10 +13,10 @@ struct TerrainMesh {
     glm::mat4 clip_from_world;
 };
 
-/// With exactly n triangles.
+/// A terrain with exactly n triangles.
 TerrainMesh make_terrain_mesh(std::uint32_t n);
 
-/// The same on a device, as `depth` and `planes` take it.
+/// The tables of a TerrainMesh on a device, as `depth`, `planes` and `fill` take them.
 struct TerrainMeshlets {
     TerrainMeshlets(compute::Device& device, const TerrainMesh& mesh);
 
@@ -25,7 +25,7 @@ struct TerrainMeshlets {
     }
 
     SharedBuffer vertices, clusters, meshlets, vertex_list, corners;
-    std::uint32_t count; ///< clusters
+    std::uint32_t count; ///< number of clusters
     glm::mat4 clip_from_world;
 };
 

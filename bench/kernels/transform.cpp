@@ -1,6 +1,6 @@
-// transform: n vertices of 500 objects, with a cluster for every 32, moved by a matrix each.
-// Bytes: per vertex where it was made (12), its object (4) and two places (24); per cluster its two
-// boxes (64) and its object (4).
+// transform: n vertices of 500 objects, with a cluster per 32 vertices. Each object has a matrix.
+// Bytes: per vertex its position at rest (12), its object (4) and two moved positions (24); per
+// cluster its two boxes (64) and its object (4).
 
 #include <algorithm>
 #include <iterator>
@@ -93,8 +93,8 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
-/// transform_bounds: n triangles of a terrain in clusters of 64. Bytes: per triangle its 3 indices
-/// (12), per cluster itself read and written (64), every vertex (12) once.
+/// transform_bounds: n triangles of a terrain in clusters of 64. Bytes: per triangle its three
+/// indices (12), per cluster the cluster read and written (64), every vertex (12) once.
 Job prepare_bounds(compute::Stages& stages, std::uint32_t n) {
     constexpr std::uint32_t triangles_per_cluster = 64;
     compute::Device& device = stages.device();
@@ -123,8 +123,8 @@ Job prepare_bounds(compute::Stages& stages, std::uint32_t n) {
             }};
 }
 
-/// transform_forget: n segments of 500 objects, of which every third has jumped. Bytes: per segment
-/// itself (32), the object of its start (4), and a third of the ranges (4).
+/// transform_forget: n segments of 500 objects. Every third object has jumped. Bytes: per segment
+/// the segment (32) and the object of its start (4); per segment of a jumped object its range (4).
 Job prepare_forget(compute::Stages& stages, std::uint32_t n) {
     compute::Device& device = stages.device();
     std::vector<Segment> values(n);

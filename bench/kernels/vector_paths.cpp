@@ -1,6 +1,6 @@
-// overlaps, plotter: what is done to a drawing's paths on the host before they are written, of a
-// picture of n pixels with a piece of a path per 20 pixels, or a stroke per 480.
-// Bytes: a point of a path (VectorPoint) read and written once.
+// overlaps, plotter: steps on the host between a drawing's paths and its file, for a picture of n
+// pixels. overlaps has one piece of a path per 20 pixels, plotter one stroke per 480.
+// Bytes: every point of a path (VectorPoint) read and written once.
 
 #include <cmath>
 
@@ -16,7 +16,8 @@ double side_of(std::uint32_t n) {
     return std::sqrt(static_cast<double>(n));
 }
 
-/// Winding paths of `pieces` pieces; every second one runs along the one before, a little beside.
+/// Winding paths of `pieces` pieces. Every second path runs along the previous one, a little beside
+/// it.
 std::vector<VectorPath> crowd(std::uint32_t n, std::size_t count, std::uint32_t pieces) {
     Random random{3};
     const auto side = static_cast<float>(side_of(n));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{50};
 
-/// "<stage>/<way>" of a stage's name, or of a kernel's.
+/// The row "<stage>/<way>" of a stage, or of the stage of a kernel.
 const Row* find_row(const Rows& rows, const std::string& name, const std::string& way) {
     const auto of = [&](const std::string& stage) {
         const auto found = std::ranges::find(rows, stage + "/" + way, &Row::name);
@@ -38,10 +38,10 @@ const Row& row_of(const Rows& rows, const std::string& name, const std::string& 
 }
 
 struct Times {
-    std::vector<double> ours, cpp; ///< seconds of runs
+    std::vector<double> ours, cpp; ///< seconds per run
 };
 
-/// By turns for half a second, and three times at least.
+/// Times both jobs by turns for half a second, but at least three times.
 Times time_by_turns(const Job& ours, const Job& cpp) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::milliseconds{500};
@@ -57,7 +57,7 @@ std::string ratio(double now, const std::optional<double>& before) {
     return before ? fmt::format("{:.3f}", now / *before) : "-";
 }
 
-/// Prints rows of a table, each compared with those before it.
+/// Prints the rows of a table, each compared with earlier rows.
 class Report {
   public:
     void begin(const Watched& watched, const KernelFolder& folder, const Devices& devices) {
@@ -103,7 +103,7 @@ void watch(const Watched& watched) {
         try {
             const Devices devices = open_devices(watched.device, watched.form);
             const Rows rows = all_rows(devices);
-            // Compares its results with those of C++.
+            // prepare() also compares the results with those of `cpp`.
             const Job ours = row_of(rows, watched.name, "ours").prepare(watched.size);
             report.add(
                 time_by_turns(ours, row_of(rows, watched.name, "cpp").prepare(watched.size)));

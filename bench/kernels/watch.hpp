@@ -5,17 +5,17 @@
 
 namespace lineatlas::bench {
 
-/// What `--watch` measures again and again.
+/// The row that `--watch` measures again and again.
 struct Watched {
-    std::string name;      ///< of a stage or of one of its kernels
-    std::uint32_t size;    ///< elements
+    std::string name;      ///< name of a stage or of one of its kernels
+    std::uint32_t size;    ///< number of elements
     std::string device;    ///< as open_devices() takes it
-    std::string form = {}; ///< the same
+    std::string form = {}; ///< likewise
 };
 
-/// Measures a stage each time that a file in LINEATLAS_KERNEL_DIR is written: how long it takes, in
-/// ratio to the last and the first measurement and to the kernels as C++, and whether its results
-/// are theirs. What does not build is said in one line. Does not return. Throws UsageError for a
+/// Measures a stage each time that a file in LINEATLAS_KERNEL_DIR is written. Prints its time, the
+/// ratios to the last and the first measurement and to `cpp`, and whether its results equal those
+/// of `cpp`. A kernel that does not build gives one line. Never returns. Throws UsageError for a
 /// name that no row has, or without the variable.
 [[noreturn]] void watch(const Watched& watched);
 

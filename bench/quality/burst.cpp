@@ -64,7 +64,8 @@ Burst slow_burst(const PathView& view, const LineSet& set, glm::ivec2 size, std:
     Burst burst{{camera_at(view.at)}, 0};
     if (count < 2) return burst;
     const std::vector<glm::dvec3> points = visible_points(set, lines, truth);
-    double step = view.at < 0.5 ? 1e-4 : -1e-4; // within the path
+    double step =
+        view.at < 0.5 ? 1e-4 : -1e-4; // forwards or backwards, so that it stays within the path
     for (int round = 0; round < 3 && !points.empty(); ++round) {
         const std::vector<double> sorted =
             motions(points, burst.cameras[0], camera_at(view.at + step));

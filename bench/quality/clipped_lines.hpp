@@ -11,9 +11,9 @@
 
 namespace lineatlas::bench {
 
-/// The segments of a view with their samples, equal to those of the renderer bit by bit.
+/// The clipped segments of a view and their samples, equal to the renderer's bit by bit.
 struct ClippedLines {
-    std::vector<ClippedSegment> clipped; ///< valid where a segment has samples
+    std::vector<ClippedSegment> clipped; ///< only valid for segments with samples
     std::vector<std::uint32_t> offsets;  ///< first sample of each segment, then the total
 
     std::uint32_t samples(std::size_t segment) const {
@@ -21,21 +21,21 @@ struct ClippedLines {
     }
 };
 
-/// `step`: k, pixels between samples (§4.1 eq. 1).
+/// Clips all segments. `step` is k, the pixels between samples (§4.1 eq. 1).
 ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
                         LineKindMask kinds = all_line_kinds);
 
-/// A segment's place in the window: pixels, origin at the lower left. A point at share `u` of it.
+/// A segment in the window: pixels, origin at the lower left. at(u) is the point at share `u`.
 struct WindowSegment {
     glm::dvec2 p, q;
     glm::dvec2 at(double u) const { return p + (q - p) * u; }
 };
 WindowSegment window_segment(const ClippedSegment& segment, glm::ivec2 viewport);
 
-/// From share `u` of a clipped segment in the window to the parameter along the whole segment, in
-/// which the model's points are linear.
+/// The parameter along the whole segment, linear in the model, at share `u` of the clipped segment
+/// in the window.
 double parameter_at(const ClippedSegment& segment, double u);
-/// The way back; nothing outside the clipped segment.
+/// The inverse of parameter_at(); nothing outside the clipped segment.
 std::optional<double> share_at(const ClippedSegment& segment, double t);
 
 } // namespace lineatlas::bench

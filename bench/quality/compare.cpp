@@ -27,7 +27,7 @@ void for_each_sample(const ViewSamples& view, Visit&& visit) {
     }
 }
 
-/// Layers from the bottom up.
+/// The layers of the picture, from the bottom up.
 enum class Verdict { hidden, visible, false_visible, false_hidden };
 
 Verdict verdict(float alpha, float truth) {

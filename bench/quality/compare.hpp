@@ -11,15 +11,15 @@
 // Measured visibility against the truth.
 namespace lineatlas::bench {
 
-/// A sample is wrong when its visibility is off by more than this.
+/// A sample is wrong if its visibility differs from the truth by more than this.
 inline constexpr float wrong_threshold = 0.5F;
 
-/// The figures of docs/quality.md over any set of samples.
+/// The figures of docs/quality.md for a set of samples.
 struct Figures {
     std::uint64_t samples = 0;
     double error_sum = 0;            ///< of |alpha - alpha*|
-    std::uint64_t false_visible = 0; ///< wrong, and shown: leaks behind walls
-    std::uint64_t false_hidden = 0;  ///< wrong, and not shown: broken lines
+    std::uint64_t false_visible = 0; ///< wrong and shown: lines behind walls
+    std::uint64_t false_hidden = 0;  ///< wrong and not shown: broken lines
 
     void add(float alpha, float truth);
     void add(const Figures& other);
@@ -40,7 +40,7 @@ struct KindFigures {
     void add(const KindFigures& other);
 };
 
-/// The samples of a view: what a method says and what is true. All spans are in sample order.
+/// The samples of a view: the alpha of a method and the truth. Spans are in sample order.
 struct ViewSamples {
     const LineSet& lines;
     const ClippedLines& clipped;
@@ -48,21 +48,22 @@ struct ViewSamples {
     std::span<const float> truth;        ///< 0 to 1
 };
 
-/// Throws UsageError when the numbers of samples differ.
+/// Compares all samples. Throws UsageError if the numbers of samples differ.
 KindFigures compare(const ViewSamples& view);
 
 /// A segment with wrong samples.
 struct WrongSegment {
     std::uint32_t segment;
     Figures figures;
-    std::uint32_t worst_sample; ///< the one that is off the most; of equals the middle one
+    std::uint32_t worst_sample; ///< the sample with the largest error; of several the middle one
 };
 
 /// The segments with the most wrong samples, at most `count`.
 std::vector<WrongSegment> worst_segments(const ViewSamples& view, std::size_t count);
 
-/// A picture of every sample: visible grey to black, hidden very light, false visible red, false
-/// hidden blue; wrong ones on top. `scale` times as large as the viewport.
+/// A picture of all samples, `scale` times as large as the viewport. Visible samples are grey to
+/// black, hidden ones very light, false visible ones red, false hidden ones blue. Wrong samples are
+/// on top.
 Image error_picture(const ViewSamples& view, glm::ivec2 viewport, int scale);
 
 } // namespace lineatlas::bench

@@ -13,10 +13,10 @@
 namespace lineatlas::bench {
 namespace {
 
-/// What is known of one path, from its start: a value per place of the truth.
+/// One path from its start: its places, with a value of the truth each, and its intervals.
 class Path {
   public:
-    /// A segment of `pixels` in pieces of equal length.
+    /// Adds a segment of `pixels`, with places of equal length.
     void add_segment(double pixels, std::span<const float> truth, std::uint32_t kind) {
         begin_ = end_;
         end_ += pixels;
@@ -29,7 +29,7 @@ class Path {
         }
     }
 
-    /// Between two shares of the segment added last.
+    /// Adds an interval between two shares of the last segment.
     void add_interval(double from, double to, bool visible, float alpha) {
         const double pixels = end_ - begin_;
         shares_ += (to - from) * pixels * double{alpha};
@@ -103,7 +103,7 @@ class Path {
         return nearest;
     }
 
-    /// Or within a place of it.
+    /// True if a place in the piece, or at most truth_step_pixels from it, is truly visible.
     bool truly_visible_in(const Piece& piece) const {
         const auto first = std::ranges::lower_bound(
             places_, piece.start - double{truth_step_pixels}, {}, &Place::at);
@@ -113,7 +113,7 @@ class Path {
     }
 
     double shares_ = 0;
-    double begin_ = 0, end_ = 0; ///< of the segment added last
+    double begin_ = 0, end_ = 0; ///< of the last segment
     std::vector<Place> places_;
     std::vector<Piece> pieces_;
 };
@@ -151,7 +151,7 @@ std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& cl
         const WindowSegment window = window_segment(segment, camera.size);
         const glm::dvec2 way = window.q - window.p;
         const auto share = [&](glm::dvec2 at) {
-            const glm::dvec2 place{at.x, camera.size.y - at.y}; // y is down there
+            const glm::dvec2 place{at.x, camera.size.y - at.y}; // there y points down
             const double squared = glm::dot(way, way);
             return squared > 0 ? glm::dot(place - window.p, way) / squared : 0;
         };
@@ -184,7 +184,7 @@ IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine
             while (next < intervals.size() && intervals[next].segment < i) ++next;
             const std::size_t first = next;
             while (next < intervals.size() && intervals[next].segment == i) ++next;
-            if (first == next) continue; // is found missing
+            if (first == next) continue; // its length counts as missing
             const double samples = intervals[next - 1].end_sample;
             for (const Interval& interval : intervals.subspan(first, next - first)) {
                 path.add_interval(interval.start_sample / samples, interval.end_sample / samples,

@@ -5,37 +5,37 @@
 
 #include "truth.hpp"
 
-// How right the intervals are that come out of the device: lengths, ends and crumbs.
+// The errors of intervals that are read back from the device: in lengths and ends, and crumbs.
 namespace lineatlas::bench {
 
 struct IntervalFigures {
     double length = 0;        ///< of all lines inside the picture, pixels
-    double visible = 0;       ///< of it said to be visible
-    double truly_visible = 0; ///< of it visible
-    /// The same with what is partly visible counted in part, by Interval::alpha and the truth.
+    double visible = 0;       ///< of `length`, in visible intervals
+    double truly_visible = 0; ///< of `length`, visible by the truth
+    /// The visible lengths with partly visible places counted in part, by Interval::alpha and by
+    /// the truth.
     double shares = 0, true_shares = 0;
     double falsely_visible = 0, falsely_hidden = 0;
-    std::size_t crumbs = 0;     ///< visible pieces below a pixel of which nothing is visible
-    std::size_t ends = 0;       ///< places where visibility is said to change
-    std::vector<double> errors; ///< of those near a true change: pixels between the two
-    double missing = 0;         ///< pixels of line that are in no interval, or in two
+    std::size_t crumbs = 0;     ///< visible intervals below a pixel without any truly visible place
+    std::size_t ends = 0;       ///< places where intervals of a path change visibility
+    std::vector<double> errors; ///< distances in pixels of ends near a true change from that change
+    double missing = 0;         ///< pixels of line that are in no interval
 
-    /// Share of the ends within `pixels` of a true change.
+    /// The share of ends within `pixels` of a true change.
     double ends_within(double pixels) const;
     void add(const IntervalFigures& other);
 };
 
-/// Pixels between the places at which the truth is taken, and between two ends that belong
-/// together at most.
+/// Pixels between places of the truth, and the largest distance of an end from its true change.
 inline constexpr float truth_step_pixels = 0.25F;
 inline constexpr double end_reach_pixels = 2;
 
-/// The intervals as a drawing as paths has them, their ends at the lines that hide them.
+/// The intervals as drawings as paths have them: hidden ends meet the lines that hide them.
 std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& clipped,
                                     const Camera& camera, std::span<const Interval> intervals);
 
-/// `truth` is of `fine`, whose step is `truth_step_pixels`; `intervals` are visible and hidden
-/// ones.
+/// Compares intervals, visible and hidden ones, with the truth of `fine`, which has the step
+/// `truth_step_pixels`.
 IntervalFigures compare_intervals(const LineSet& lines, const ClippedLines& fine,
                                   glm::ivec2 viewport, std::span<const float> truth,
                                   std::span<const Interval> intervals);

@@ -1,4 +1,4 @@
-// The measure of intervals must see what it is there to see.
+// The figures of intervals find planted errors.
 
 #include "interval_errors.hpp"
 
@@ -44,7 +44,7 @@ class IntervalErrorsTest : public testing::Test {
         return compare_intervals(lines_, fine_, {200, 200}, truth_, intervals);
     }
 
-    /// Samples are 2 pixels long.
+    /// Makes an interval of a segment with samples of 2 pixels.
     static Interval piece(std::uint32_t segment, float from, float to, bool visible) {
         Interval interval{};
         interval.segment = segment;
@@ -87,7 +87,8 @@ TEST_F(IntervalErrorsTest, SeesCrumbsAndWhatIsMissing) {
         compare({piece(0, 0, 5, false), piece(0, 5, 5.8F, true), piece(0, 5.8F, 20, false),
                  piece(0, 20, 90, true), piece(1, 0, 20, true), piece(1, 20, 50, false)});
     EXPECT_EQ(figures.crumbs, 1U);
-    EXPECT_NEAR(figures.missing, 0, 1e-3); // lengths are shares of what a segment's intervals span
+    EXPECT_NEAR(figures.missing, 0,
+                1e-3); // lengths are shares of the length that a segment's intervals span
     const IntervalFigures without = compare({piece(1, 0, 20, true), piece(1, 20, 50, false)});
     EXPECT_NEAR(without.missing, 100, 1e-3);
 }

@@ -148,7 +148,7 @@ SubjectReport Measurement::styles(const std::vector<Contestant>& styles) {
 
 StyledFigures Measurement::restlessness_of(const Contestant& style,
                                            const std::vector<Frame>& frames, const Tracks& tracks) {
-    // Nothing of another style's last frame may be averaged into the first one.
+    // The first frame must not be averaged with the last frame of another style.
     Contestant unsteady = style;
     unsteady.options.steady = false;
     sample(unsteady, frames[0]);
@@ -228,7 +228,7 @@ std::vector<PathReport> Measurement::paths(const std::vector<Contestant>& method
             FrameOptions options = method.options;
             options.steady = false; // every view on its own
             options.cull_hidden = true;
-            options.style.pen.join = Join::round; // a mitre may be long and right
+            options.style.pen.join = Join::round; // a long mitre would count as false ink
             FrameOptions intervals = options;
             intervals.depth_scale = 4; // as `draw` has it for paths
             intervals.intervals = KeptIntervals::all;

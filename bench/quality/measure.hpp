@@ -15,44 +15,44 @@
 
 namespace lineatlas::bench {
 
-/// What takes part.
+/// A participant: a method, or a style, with its options.
 struct Contestant {
     std::string name;
     FrameOptions options;
 };
 
-/// Told of every view and method: its samples in the view's own frame.
+/// Called for every view and method with the samples of the view's own frame.
 using ViewCallback =
     std::function<void(std::size_t view, const Contestant& method, const ViewSamples& samples,
                        const Camera& camera, const Oracle& oracle)>;
 
-/// One subject in front of all methods. Needs a current GL context.
+/// Measures all methods on one subject. Needs a current GL context.
 class Measurement {
   public:
-    /// All must outlive it.
+    /// All arguments taken by reference must outlive this object.
     Measurement(const Subject& subject, const Settings& settings, const DeviceOptions& device,
                 bool use_cache, gl::Canvas& canvas, Progress& progress);
 
-    /// Errors in every view; sparkle and crawl between the frames of a burst from each view on.
+    /// Measures errors in every view, and sparkle and crawl in a burst that starts at each view.
     SubjectReport run(const std::vector<Contestant>& methods, const ViewCallback& on_view);
-    /// The same of the segment atlas with any number of probes and depth scale.
+    /// As run(), of the segment atlas with several numbers of probes and depth scales.
     StudyReport study();
-    /// How right the intervals are that come out of SAhi, and those of a drawing as paths, whose
+    /// Errors of the intervals of SAhi, and of the intervals of a drawing as paths, whose hidden
     /// ends meet the lines that hide them.
     std::vector<IntervalReport> intervals(FrameOptions options);
-    /// How right drawings are, as paths and as pictures of pixels; the picture of the errors of
-    /// each is handed to `on_errors`.
+    /// Gets a picture of the errors of a drawing.
     using ErrorPicture =
         std::function<void(std::size_t view, const std::string& what, const Image&)>;
+    /// Errors of drawings, as paths and as pictures of pixels.
     std::vector<PathReport> paths(const std::vector<Contestant>& methods,
                                   const ErrorPicture& on_errors);
-    /// Sparkle of what is drawn with each of some styles; each gets all of a view's frames in turn.
+    /// Sparkle of drawings with each style. Each style draws all frames of a view in order.
     SubjectReport styles(const std::vector<Contestant>& styles);
-    /// Whether the truth hangs on the number of rays.
+    /// Compares the truth with that of twice as many rays.
     OracleReport check_oracle();
 
   private:
-    /// A frame, what is true there and the points it shares with the frame before.
+    /// A frame, its truth, and the points that it shares with the previous frame.
     struct Frame {
         Camera camera;
         ClippedLines clipped;
@@ -82,7 +82,7 @@ class Measurement {
     bool use_cache_;
     gl::Canvas& canvas_;
     Progress& progress_;
-    std::string view_; ///< being measured
+    std::string view_; ///< the view that is being measured
     Renderer renderer_;
     std::optional<SpineSampler> spine_;
     Oracle oracle_;

@@ -9,7 +9,7 @@
 namespace lineatlas::bench {
 namespace {
 
-/// Linear between the centres of `l` samples, constant beyond the outer ones.
+/// The value at a position: linear between the centres of `l` samples, constant beyond them.
 template <class T>
 double interpolated(const T* samples, std::uint32_t l, double position) {
     const double x = std::clamp(position - 0.5, 0.0, l - 1.0);

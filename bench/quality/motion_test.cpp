@@ -38,7 +38,7 @@ Run stroke(float from, float to, float shift = 0) {
     return run;
 }
 
-/// `count` of `l` samples are visible, then none.
+/// `l` samples, of which the first `count` are visible.
 template <class T>
 std::vector<T> step(std::uint32_t count, std::uint32_t l, T one) {
     std::vector<T> samples(l, T{0});
@@ -83,7 +83,7 @@ TEST(Motion, AlphaThatShiftsByASampleSparklesThere) {
 
 TEST(Motion, AlphaThatFollowsTheTruthDoesNotSparkle) {
     EXPECT_EQ(compare({.alpha = alpha_step(60), .truth = truth_step(60)}, {}).sparkle(), 0);
-    // Nor does an error that stays.
+    // An error that stays does not sparkle.
     EXPECT_EQ(compare({.alpha = alpha_step(60)}, {.alpha = alpha_step(60)}).sparkle(), 0);
 }
 
@@ -148,7 +148,7 @@ TEST(Motion, ParametersAlongALineInPerspective) {
     segment.q[3] = 3;
     segment.t0 = 0.2F;
     segment.t1 = 0.7F;
-    // Half of the way on the screen is a quarter of it in space.
+    // Half of the way on the screen is a quarter of the way in space.
     EXPECT_NEAR(parameter_at(segment, 0.5), 0.325, 1e-7);
     EXPECT_NEAR(*share_at(segment, 0.325), 0.5, 1e-6);
     EXPECT_FALSE(share_at(segment, 0.71).has_value());
@@ -182,7 +182,7 @@ TEST(Motion, BurstIsSlowWhereverTheEyeStands) {
         const std::vector<float> truth(clipped.offsets.back(), 1);
         const Burst burst = slow_burst(view, lines, viewport, 4, clipped, truth);
         EXPECT_EQ(burst.cameras.size(), 4U);
-        // All of the flat model moves alike.
+        // The model is flat, so all of its points move alike.
         EXPECT_NEAR(burst.typical_motion, 0.9, 0.02);
     }
 }

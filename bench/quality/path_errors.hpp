@@ -5,22 +5,22 @@
 
 #include "truth/certificate.hpp"
 
-// How right drawings are as paths, and as pictures of pixels.
+// Errors of drawings as paths and as pictures of pixels.
 namespace lineatlas::bench {
 
-/// Of one view; lengths in pixels.
+/// The figures of one view; lengths in pixels.
 struct PathFigures {
     double visible = 0, undecided = 0;
-    double missed = 0, false_drawn = 0;           ///< within 0.5 px
-    double off = 0;                               ///< of the rest, at its worst place
+    double missed = 0, false_drawn = 0; ///< within 0.5 px
+    double off = 0;                     ///< largest distance of drawn places that are not false
     double missed_wide = 0, false_drawn_wide = 0; ///< within 1.5 px
-    double decided = 0, hidden = 0;               ///< by each piece's own segment
+    double decided = 0, hidden = 0;               ///< checked against each piece's own segment
     double surely_wrong = 0;
     double ink = 0; ///< dark pixels
     double missed_ink = 0, false_ink = 0;
-    double ink_visible = 0; ///< what `missed_ink` is a part of
-    std::size_t paths = 0;  ///< visible ones
-    std::size_t gaps = 0;   ///< between ends that nearly meet
+    double ink_visible = 0; ///< the ink of all visible lines; `missed_ink` is a part of it
+    std::size_t paths = 0;  ///< number of visible paths
+    std::size_t gaps = 0;   ///< number of gaps between ends that nearly meet
 
     double missed_share() const { return share(missed, visible); }
     double false_share() const { return share(false_drawn, visible); }
@@ -32,7 +32,7 @@ struct PathFigures {
     static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 };
 
-/// Of one view: its paths and its picture.
+/// The figures of one view, by its paths and its picture.
 PathFigures figures_of(const Certificate& paths, const DrawingErrors& ink);
 
 struct PathReport {

@@ -1,4 +1,4 @@
-// The whole program on a scene: its figures are good, and bad when visibility is.
+// The whole program on scenes: its figures are good, and they get bad if visibility is wrong.
 
 #include <algorithm>
 #include <cstdlib>
@@ -45,7 +45,7 @@ class QualityProgram : public testing::Test {
         return nlohmann::json::parse(content(json));
     }
 
-    /// A copy of a folder of sources in which one text is replaced, wherever it stands.
+    /// A copy of a folder of sources with one text replaced, which occurs there exactly once.
     fs::path with_planted(const std::string& name, const std::string& from,
                           const std::string& to) const {
         fs::remove_all(folder_ / name);
@@ -66,8 +66,8 @@ class QualityProgram : public testing::Test {
         return folder_ / name;
     }
 
-    /// With programs and truths in `cache`, which all tests share: truths of another version say
-    /// nothing. What PoCL made of a kernel it makes again.
+    /// Holds `cache` with programs and truths for all tests of this process. Truths of other
+    /// versions must not be used. PoCL keeps its usual cache.
     inline static const fs::path folder_ =
         fs::path{testing::TempDir()} / ("lineatlas-quality-" + std::to_string(getpid()));
 };
@@ -110,7 +110,7 @@ TEST_F(QualityProgram, OrthographicViewsAreAsTrue) {
 }
 
 TEST_F(QualityProgram, FindsAPlantedTolerance) {
-    // Where everything touches the line nothing is ever hidden.
+    // With such a rounding every face touches the line, so no line is hidden.
     const fs::path kernels = with_planted("kernels", "#define LA_NEARNESS_ROUNDING 4.8e-7f",
                                           "#define LA_NEARNESS_ROUNDING 1e9f");
     const std::string arguments = "--scene clevis --at 0.3 --burst 1 --methods SAhi,SThi";
@@ -123,9 +123,9 @@ TEST_F(QualityProgram, FindsAPlantedTolerance) {
     }
 }
 
-/// Where the segment atlas at high quality is worse than it is known to be. Wanted are a mean error
-/// of 0.02, 0.3 percent wrong and 0.2 of either kind (docs/quality.md): all have that but the
-/// house, of which the mean error is 0.024 in pictures as small as these.
+/// The figures of SAhi that are worse than their known values. docs/quality.md wants a mean error
+/// of 0.02, 0.3 % wrong samples and 0.2 % of either kind. All scenes reach that but the house,
+/// whose mean error is 0.024 in pictures as small as these.
 std::vector<std::string> misses(const nlohmann::json& figures) {
     struct Known {
         double mean_error, false_visible, false_hidden;
@@ -153,8 +153,8 @@ TEST_F(QualityProgram, ScenesAreAsTheyAreKnownToBe) {
     const nlohmann::json good = measure("", arguments);
     EXPECT_EQ(good["scenes"].size(), 4U);
     EXPECT_EQ(misses(good), std::vector<std::string>{});
-    // Surfaces up to twenty pixels before a line excused; no smooth patch known; planes not carried
-    // on to the probe, but taken where the texel's middle is.
+    // Three planted errors: surfaces far before a line do not hide it; no smooth patch is known;
+    // planes are taken at the centre of the texel, not at the probe.
     struct Planted {
         const char *from, *to, *figure;
     };
@@ -192,7 +192,7 @@ TEST_F(QualityProgram, MeasuresDrawingsAsPathsAndPixels) {
             EXPECT_LT(f["false_ink"], 0.001) << view << ", " << method;
         }
     }
-    // Where everything touches the line nothing is ever hidden.
+    // With such a rounding every face touches the line, so no line is hidden.
     const fs::path kernels = with_planted("kernels", "#define LA_NEARNESS_ROUNDING 4.8e-7f",
                                           "#define LA_NEARNESS_ROUNDING 1e9f");
     const nlohmann::json bad =
@@ -209,7 +209,7 @@ TEST_F(QualityProgram, MeasuresDrawingsAsPathsAndPixels) {
 TEST_F(QualityProgram, ExactDrawingsHideWhatIsLessThanTwoPixelsBehind) {
     const std::string arguments = "--scene house --paths --methods EX --size 512x384";
     const nlohmann::json good = measure("", arguments)["paths"];
-    // The old rule: what lies less than two pixels behind a face is seen.
+    // Planted: lines less than two pixels behind a face are visible.
     const fs::path kernels =
         with_planted("kernels", "behind_p - args->contact, behind_q - args->contact,",
                      "behind_p - 2.0f / (line->nearness_p * 700.0f), "
@@ -242,7 +242,7 @@ TEST_F(QualityProgram, EffectsHardlySparkleMoreThanPlainLines) {
     const double plain = good["plain"]["flicker"];
     EXPECT_GT(plain, 0);
     EXPECT_LE(good["all"]["flicker"], 1.3 * plain);
-    // An overshoot that is another one in every frame.
+    // Planted: the overshoot changes with every frame.
     const fs::path kernels =
         with_planted("kernels", "path_share(frame.segments[work->first].path)",
                      "path_share(frame.arcs[work->last + 1] + frame.arcs[work->last])");

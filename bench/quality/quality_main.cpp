@@ -1,5 +1,5 @@
-// lineatlas-bench-quality: how right the visibility of every method is, measured against ray
-// casting (truth.hpp).
+// lineatlas-bench-quality: measures the errors of every method's visibility against ray casting
+// (truth.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@
 namespace lineatlas::bench {
 namespace {
 
-/// Twice the rays may move mean alpha* by no more than this.
+/// Twice the rays may change the mean of alpha* by no more than this.
 constexpr double oracle_tolerance = 0.002;
 
 struct Arguments {
@@ -55,7 +55,7 @@ struct Arguments {
     DeviceOptions device;
 };
 
-/// Effects one by one, and all of them.
+/// Styles by name: one per effect, and one with all effects.
 const std::map<std::string, Style>& named_styles() {
     static const std::map<std::string, Style> styles = [] {
         const StrokeFilter overshoot{.overshoot = 8, .overshoot_variation = 0.5F};
@@ -174,7 +174,7 @@ void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--compute", a.device.compute, "Backend: opencl or cpp")->capture_default_str();
 }
 
-/// Why a method can't be measured; nothing if it can.
+/// Why a method cannot be measured; empty if it can.
 std::string_view obstacle(const MethodSpec& spec, bool paths) {
     if (spec.reads_back) return "is SAhi otherwise";
     if (paths)
@@ -204,7 +204,7 @@ std::vector<Contestant> contestants(const Arguments& a) {
         options.step = a.step;
         options.steady = !a.no_average;
         options.cull_hidden = false; // every sample is compared
-        // Where nothing has a texture nobody asks for its coordinates.
+        // Texture coordinates are only computed for marks with a texture.
         if (!a.paths) options.style.pen.mark = "fine";
         result.push_back({std::string{spec.name}, options});
     }
@@ -233,7 +233,7 @@ glm::vec3 axis(const std::string& name) {
     return up;
 }
 
-/// What each model is called: its file's name, or the path as given where two files share a name.
+/// The name of each model: its file's name, or the given path if two files share a name.
 std::vector<std::string> model_names(const std::vector<std::string>& paths) {
     std::map<std::string, int> files;
     const auto file = [](const std::string& path) {
@@ -250,7 +250,8 @@ std::vector<std::string> model_names(const std::vector<std::string>& paths) {
     return names;
 }
 
-/// Ways to make the subjects, one after the other: all at once would fill the memory.
+/// Functions that make the subjects. Subjects are made one by one, because all would fill the
+/// memory.
 std::vector<std::function<Subject()>> subjects(const Arguments& a, glm::ivec2 size) {
     const Projection projection = parse_projection(a.projection);
     const Places places{a.at.empty() ? even_places(a.frames) : a.at, a.distances, projection};
@@ -298,7 +299,7 @@ class Bench {
         report_.settings = {size_, a.step, a.truth.rays, a.burst};
     }
 
-    /// Whether everything is as it should be.
+    /// Measures everything. Returns true if all checks pass.
     bool run() {
         const gl::HeadlessContext context;
         gl::Canvas canvas{size_};
@@ -337,7 +338,7 @@ class Bench {
     }
 
   private:
-    /// What is wrong with the command line is said before minutes of work, not after.
+    /// Reports errors of the command line before minutes of work.
     void check() const {
         if (!arguments_.picture.empty()) check_image_path(arguments_.picture);
         for (const std::string& path : arguments_.charts) check_drawing_path(path);
@@ -366,7 +367,7 @@ class Bench {
         std::filesystem::path path = arguments_.picture;
         std::string stem = path.stem().string();
         if (subjects_.size() > 1) {
-            std::string name = subject.name; // perhaps a path
+            std::string name = subject.name; // may be a path
             std::ranges::replace(name, '/', '_');
             stem += "-" + name;
         }
@@ -429,7 +430,7 @@ class Bench {
     std::vector<std::function<Subject()>> subjects_;
     Progress progress_;
     Report report_;
-    std::vector<PathReport> fresh_paths_; ///< of the last subject
+    std::vector<PathReport> fresh_paths_; ///< reports of the last subject
 };
 
 int run(int argc, char** argv) {

@@ -54,7 +54,7 @@ const MethodReport* find(const SubjectReport& report, std::string_view method) {
     return found == report.methods.end() ? nullptr : &*found;
 }
 
-/// What the high quality of the segment atlas is worth beside another method.
+/// Prints the errors of another method over those of SAhi.
 void print_ratio(const SubjectReport& report, std::string_view other) {
     const MethodReport* ours = find(report, "SAhi");
     const MethodReport* theirs = find(report, other);
@@ -69,7 +69,7 @@ void print_ratio(const SubjectReport& report, std::string_view other) {
     fmt::print("\n");
 }
 
-/// More digits say nothing.
+/// Rounds to seven decimal places; more mean nothing.
 double rounded(double value) {
     return std::round(value * 1e7) / 1e7;
 }
@@ -249,7 +249,7 @@ void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& ca
                  std::size_t count) {
     const std::vector<WrongSegment> worst = worst_segments(view, count);
     if (worst.empty()) return;
-    // Blocker: the nearest surface before the worst sample, in pixel widths at the line.
+    // "blocker" is the nearest surface before the worst sample, in pixel widths at the line.
     fmt::print("  worst segments\n    {:>8} {:<11}{:>16}{:>9}{:>7}{:>7}{:>7}{:>7}  {}\n", "segment",
                "kind", "window", "samples", "f.vis", "f.hid", "alpha", "truth", "blocker px");
     for (const WrongSegment& wrong : worst) {
@@ -261,7 +261,7 @@ void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& ca
         const auto blocker = oracle.nearest_blocker(view.clipped, camera, i, j);
         const auto kind = view.lines.segments[i].tag & LA_TAG_KIND_MASK;
         const std::uint32_t index = view.clipped.offsets[i] + j;
-        // From the upper left, as picture viewers count.
+        // Positions count from the upper left, as in picture viewers.
         fmt::print(
             "    {:>8} {:<11}{:>8.1f},{:>7.1f}{:>9}{:>7}{:>7}{:>7.2f}{:>7.2f}  {}\n", i,
             line_kind_names[kind], place.x, camera.size.y - place.y, l, wrong.figures.false_visible,
@@ -315,7 +315,7 @@ std::string json_text(const Report& report) {
             {"gaps", f.gaps}};
     }
     for (const StudyReport& study : report.study) json_report["study"][study.name] = json(study);
-    // File names need not be UTF-8, JSON must be.
+    // JSON must be UTF-8; file names in it need not be.
     return json_report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

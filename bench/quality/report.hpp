@@ -10,7 +10,7 @@
 #include "path_errors.hpp"
 #include "styled.hpp"
 
-// What `lineatlas-bench-quality` says: tables for people, JSON for programs.
+// The output of `lineatlas-bench-quality`: tables for people, JSON for programs.
 namespace lineatlas::bench {
 
 struct MethodReport {
@@ -21,7 +21,7 @@ struct MethodReport {
     void add(const MethodReport& other);
 };
 
-/// What the segment atlas at high quality draws with a style.
+/// The figures of drawings by SAhi with a style.
 struct StyleReport {
     std::string name;
     StyledFigures figures;
@@ -30,12 +30,12 @@ struct StyleReport {
 struct SubjectReport {
     std::string name; ///< a scene, or a model's file name
     std::size_t triangles = 0, segments = 0, views = 0;
-    double typical_motion = 0; ///< median of visible points, from frame to frame, pixels
+    double typical_motion = 0; ///< median motion of visible points from frame to frame, in pixels
     std::vector<MethodReport> methods;
-    std::vector<StyleReport> styles{}; ///< in place of methods; the first is the plain one
+    std::vector<StyleReport> styles{}; ///< instead of methods; the first has no effects
 };
 
-/// Mean alpha* with the usual number of rays, and with twice as many.
+/// The mean of alpha* with the usual number of rays, and with twice as many.
 struct OracleReport {
     std::string name;
     double once = 0, twice = 0;
@@ -46,7 +46,7 @@ struct IntervalReport {
     IntervalFigures figures;
 };
 
-/// SA at some number of probes and depth scale (Fig. 6).
+/// The segment atlas with a number of probes and a depth scale (Fig. 6).
 struct StudyPoint {
     std::uint32_t probes;
     int depth_scale;
@@ -59,7 +59,7 @@ struct StudyReport {
     std::vector<StudyPoint> points;
 };
 
-/// How it was measured.
+/// The settings of a measurement.
 struct Settings {
     glm::ivec2 size;
     float step;
@@ -76,21 +76,21 @@ struct Report {
     std::vector<StudyReport> study;
 };
 
-/// All samples of all subjects, under the name "total".
+/// The figures of all samples of all subjects, under the name "total".
 SubjectReport total_of(const std::vector<SubjectReport>& subjects);
 StudyReport total_of(const std::vector<StudyReport>& study);
 
-/// A row per method; with `kinds`, also one per line kind.
+/// Prints a row per method; with `kinds` also a row per kind of line.
 void print_table(const SubjectReport& report, bool kinds);
-/// A row per style.
+/// Prints a row per style.
 void print_styles(const SubjectReport& report);
 void print_study(const StudyReport& report);
 void print_intervals_header();
 void print_intervals(const IntervalReport& report);
-/// One view's figures of a method.
+/// The figures of a method in one view.
 void print_view_header();
 void print_view(const std::string& name, const KindFigures& figures);
-/// The segments that went wrong the most, with what may have caused it.
+/// Prints the segments with the most wrong samples, and the nearest blocker of each.
 void print_worst(const Oracle& oracle, const ViewSamples& view, const Camera& camera,
                  std::size_t count);
 

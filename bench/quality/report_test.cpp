@@ -1,4 +1,4 @@
-// The form of the JSON that other programs read.
+// The layout of the JSON, which other programs read.
 
 #include "report.hpp"
 

@@ -39,7 +39,7 @@ SpineSampler::SpineSampler(const LineSet& lines)
 }
 
 std::vector<ClippedSegment> SpineSampler::numbered(std::vector<ClippedSegment> clipped) const {
-    // As kernels/shared/own_face.h packs and numbers them.
+    // Packs and numbers own faces as kernels/shared/own_face.h does.
     const auto height = [](std::uint32_t own) { return std::bit_cast<float>(own & 0xFFFF0000U); };
     const auto number = [&](std::uint32_t face, bool is_outside) {
         const std::uint32_t found =

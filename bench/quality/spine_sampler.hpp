@@ -11,19 +11,19 @@
 
 namespace lineatlas::bench {
 
-/// The spine test at the centre of every sample. It is drawn without samples, so the same shader
-/// functions are run once more, on the same depth, into an atlas.
+/// The method spine at the centre of every sample. The method itself has no samples. So this class
+/// runs the same shader functions on the same depth once more, into an atlas.
 class SpineSampler {
   public:
-    /// Needs a current GL context and `lines` for its whole life.
+    /// Needs a current GL context. The context and `lines` must outlive this object.
     explicit SpineSampler(const LineSet& lines);
 
-    /// As Renderer::read_samples(), with the runs of spine_runs().
+    /// The samples as of Renderer::read_samples(), with the runs of spine_runs().
     Renderer::Samples sample(const ClippedLines& lines, const Camera& camera,
                              const FrameOptions& options);
 
   private:
-    /// With the numbers of own faces, as probes that know surfaces want them.
+    /// The segments with numbers of own faces, as probes of smooth surfaces need them.
     std::vector<ClippedSegment> numbered(std::vector<ClippedSegment> clipped) const;
 
     const LineSet& lines_;

@@ -20,7 +20,7 @@ constexpr float column_pitch = axis_column + plot_width + 34;
 
 constexpr Rgb grey{110, 110, 110};
 constexpr Rgb light{225, 225, 225};
-// Lighter for a coarser depth buffer.
+// One colour per depth scale, lighter for a coarser depth buffer.
 constexpr std::array<Rgb, 4> colors{Rgb{158, 202, 225}, Rgb{66, 146, 198}, Rgb{8, 81, 156},
                                     Rgb{5, 30, 70}};
 
@@ -36,7 +36,7 @@ constexpr std::array<Quantity, 3> quantities{{
     {"sparkle", [](const StudyPoint& p) { return p.motion.sparkle().value_or(0); }},
 }};
 
-/// The end of an axis, with a round half.
+/// The end of an axis, chosen so that its half is a round number.
 double axis_end(double largest) {
     if (!(largest > 0)) return 1;
     const double power = std::pow(10, std::floor(std::log10(largest)));
@@ -63,7 +63,7 @@ void add_panel(const StudyReport& study, const Quantity& quantity, glm::vec2 cor
         drawing.labels.push_back(
             {{origin.x - 6, y + 4}, fmt::format("{:g}", end * i / 2), 10, Anchor::end});
     }
-    // Even steps of probes per axis.
+    // The axis has even steps of probes per axis of the sample's box.
     const auto place = [&](const StudyPoint& point) {
         const double axis = std::sqrt(point.probes);
         const double x = (axis - 0.5) / 4;

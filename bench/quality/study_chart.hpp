@@ -5,8 +5,8 @@
 
 namespace lineatlas::bench {
 
-/// Fig. 6 as curves: mean error, wrong samples and sparkle over the number of probes, a curve per
-/// depth scale and a row of panels per subject.
+/// The study of Fig. 6 as curves: mean error, wrong samples and sparkle over the number of probes.
+/// There is a row of panels per subject and a curve per depth scale.
 Drawing study_chart(const std::vector<StudyReport>& study);
 
 } // namespace lineatlas::bench

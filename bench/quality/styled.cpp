@@ -12,7 +12,7 @@
 namespace lineatlas::bench {
 namespace {
 
-/// The weights of `density`, looked up as the stroke shader does it.
+/// The weights of density control, looked up as in the stroke shader.
 class Weights {
   public:
     Weights(std::span<const float> values, glm::ivec2 viewport)
@@ -44,7 +44,7 @@ class Weights {
     glm::ivec2 cells_;
 };
 
-/// Linear between the centres of `l` samples, constant beyond the outer ones.
+/// The value at a position: linear between the centres of samples, constant beyond the outer ones.
 float interpolated(std::span<const float> samples, float position) {
     const float most = static_cast<float>(samples.size() - 1);
     const float x = std::clamp(position - 0.5F, 0.0F, most);
@@ -58,7 +58,8 @@ std::span<const float> own_samples(const ClippedLines& frame, const std::vector<
     return std::span{values}.subspan(frame.offsets[segment], frame.samples(segment));
 }
 
-/// The least and the most of the samples about a position, across the joints of the path too.
+/// The smallest and the largest sample about a position, also beyond the segment's ends along the
+/// path.
 std::pair<float, float> range_about(const LineSet& lines, const ClippedLines& frame,
                                     const std::vector<float>& values, std::uint32_t segment,
                                     float position) {
@@ -75,7 +76,8 @@ std::pair<float, float> range_about(const LineSet& lines, const ClippedLines& fr
     return {*least, *most};
 }
 
-/// Where a point of a segment is in every frame; false where it is not to be seen in all of them.
+/// Sets the positions of a point of a segment in all frames. False if a frame does not show the
+/// point, or if it moves too fast.
 bool follow(std::span<const ClippedLines* const> frames, glm::ivec2 viewport, std::uint32_t segment,
             double parameter, std::vector<float>& positions) {
     positions.clear();
@@ -177,7 +179,7 @@ StyledFigures restlessness(const LineSet& lines, std::span<const ClippedLines* c
         const auto at = [&](std::span<const std::vector<float>> values, std::size_t f) {
             return double{interpolated(own_samples(*frames[f], values[f], segment), position(f))};
         };
-        // Where no stroke lies it doesn't matter: there nothing is shown.
+        // Places without a stroke have opacity 0, so any texture coordinate will do.
         const auto ink = [&](std::size_t f) {
             if (!textures) return 1.0;
             const double arc = textures->arcs[f].at(segment, position(f)).value_or(0);

@@ -1,4 +1,4 @@
-// What a style draws of points of lines, on lines whose figures are known by hand.
+// The figures of styled drawings on lines whose figures are known by hand.
 
 #include "shared/constants.h"
 #include "styled.hpp"
@@ -36,7 +36,7 @@ Run stroke(float from, float to) {
     return run;
 }
 
-/// A stroke over all of the line, in every frame.
+/// Frames of one line, each with a stroke over the whole line.
 struct Film {
     std::array<ClippedLines, frame_count> lines;
     std::array<Runs, frame_count> runs;
@@ -79,10 +79,10 @@ TEST(Styled, AStrokeThatComesAndGoesFlickers) {
     Film film; // planted: an overshoot of 10 samples in every second frame
     for (std::size_t f = 0; f < frame_count; ++f) film.runs[f] = {stroke(0, f % 2 == 0 ? 50 : 60)};
     const StyledFigures figures = film.figures();
-    // 10 of 100 points change four times, and end as they began.
+    // 10 of 100 points change four times and end as they began.
     EXPECT_NEAR(*figures.sparkle(), 0.1, 1e-6);
     EXPECT_NEAR(*figures.flicker(), 0.05, 1e-6);
-    EXPECT_NEAR(*figures.jumps(), 0.09, 0.011); // no shift by two samples explains it
+    EXPECT_NEAR(*figures.jumps(), 0.09, 0.011); // more than a shift by two samples explains
 }
 
 TEST(Styled, ATextureThatCrawlsSparkles) {

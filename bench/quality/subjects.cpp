@@ -39,7 +39,7 @@ glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
     return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
 
-/// Where a built-in scene is seen from within.
+/// The view from within a built-in scene; nothing for other names.
 std::optional<View> inside(const std::string& scene) {
     constexpr float wide = 1.0471976F; // 60 degrees
     if (scene == "clevis")

@@ -8,14 +8,14 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
-// What quality is measured on.
+// The models and views that quality is measured on.
 namespace lineatlas::bench {
 
 /// A place on a camera path.
 struct PathView {
     std::string name;
     double at;                        ///< along the path, 0 to 1
-    std::function<View(double)> path; ///< a model's path is a turntable
+    std::function<View(double)> path; ///< of a model's file: a turntable
 
     View view() const { return path(at); }
 };
@@ -23,17 +23,17 @@ struct PathView {
 struct Subject {
     std::string name;
     Mesh mesh;
-    LineSet lines; ///< of the mesh, by LineOptions{}
+    LineSet lines; ///< the mesh's lines by LineOptions{}
     std::vector<PathView> views;
 };
 
-/// Two views for drawings that stand still. In perspective, of a built-in scene: all of it, and
-/// from within; of others: all of it from the front, and from behind. In orthographic projection,
-/// of both: isometric and front.
+/// Two views for still drawings. In perspective: a built-in scene is seen from outside and from
+/// within, another model from the front and from behind. In orthographic projection: isometric and
+/// front.
 std::vector<PathView> still_views(const Subject& subject, glm::vec3 up, glm::ivec2 size,
                                   Projection projection);
 
-/// Where to look from.
+/// The places of cameras along a path.
 struct Places {
     std::vector<double> at;          ///< along the path
     std::vector<float> distances{1}; ///< times the eye's distance from its target

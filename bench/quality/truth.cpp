@@ -28,7 +28,7 @@ double unit(std::uint32_t bits) {
     return (bits + 0.5) / 4294967296.0;
 }
 
-/// Places in a sample's quad, stratified in a square of strata.
+/// A point of a sample's quad: ray `ray` of strata * strata stratified ones.
 glm::dvec2 jittered(std::uint32_t ray, std::uint32_t strata, std::uint32_t seed) {
     const std::uint32_t bits = mix(seed, ray);
     return glm::dvec2{ray % strata + unit(bits), ray / strata + unit(mix(bits, 1))} /
@@ -68,7 +68,7 @@ class SampledSegment {
                 if (!before) return false;
                 const double distance = *before / sights[sight].pixel;
                 if (!nearest || distance < nearest->distance) nearest = {distance, triangle};
-                return false; // all of them
+                return false; // goes on to the next triangle
             },
             blocked);
         return nearest;

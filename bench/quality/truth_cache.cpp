@@ -12,10 +12,10 @@
 namespace lineatlas::bench {
 namespace {
 
-/// Counts up when the definition of the truth changes.
+/// The version of the truth's definition. Increase it with every change of results.
 constexpr std::uint32_t definition = 3;
 
-/// 128 bits of two differently seeded 64-bit hashes over the words of what is added.
+/// A hash of 128 bits over all added words: two 64-bit hashes with different seeds.
 class ContentHash {
   public:
     template <class T>
@@ -85,7 +85,8 @@ std::vector<float> cached_visibility(const Oracle& oracle, const ClippedLines& l
                                      const Camera& camera, const TruthOptions& options,
                                      const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / key(oracle.scene(), lines, camera, options);
-    // Floats as they are: a rounded share of exactly one half would turn verdicts over.
+    // Stores floats without rounding, because shares of exactly one half decide between right and
+    // wrong.
     std::vector<float> result(lines.offsets.back());
     const auto bytes = static_cast<std::streamsize>(result.size() * sizeof(result[0]));
     std::error_code error;
@@ -94,7 +95,7 @@ std::vector<float> cached_visibility(const Oracle& oracle, const ClippedLines& l
         if (file.read(reinterpret_cast<char*>(result.data()), bytes)) return result;
     }
     result = oracle.visibility(lines, camera, options);
-    // Written whole or not at all, also when two programs do so at once.
+    // The file appears whole or not at all, even if two programs write it at the same time.
     const std::filesystem::path unfinished = path.string() + "." + std::to_string(getpid());
     std::filesystem::create_directories(folder, error);
     bool written = false;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::ivec2 size{400, 400};
 
-/// At 100 pixels per unit, looking along -z at the origin from a distance of 10.
+/// A camera at distance 10 that looks along -z at the origin, with 100 pixels per unit there.
 Camera front_camera(bool perspective) {
     Camera camera;
     camera.size = size;
@@ -74,7 +74,7 @@ Mesh sphere() {
     return mesh;
 }
 
-/// A wall of pixels `distance` before the plane of the picture's lines, where a pixel is 0.01.
+/// Adds a sheet `distance` before the plane z = 0 of the lines, where a pixel is 0.01.
 void add_sheet(Mesh& mesh, float distance) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(),
@@ -98,7 +98,7 @@ Mesh tube(double radius, std::uint32_t sectors) {
     return mesh;
 }
 
-/// Every sample's truth, in a view of `mesh` reduced to `kinds`.
+/// The truth of every sample in a view of a mesh, for some kinds of line.
 struct Seen {
     LineSet lines;
     ClippedLines clipped;
@@ -165,7 +165,7 @@ TEST_P(Truth, AThinPlateHidesHoweverNearItIs) {
         add_sheet(mesh, 0.01F * pixels);
         add_line(mesh, {-1, 0, 0}, {1, 0, 0});
         EXPECT_EQ(mean(see(mesh, camera_, file).truth), 0) << pixels;
-        // Behind the line it hides nothing.
+        // A sheet behind the line hides nothing.
         mesh = {};
         add_sheet(mesh, -0.01F * pixels);
         add_line(mesh, {-1, 0, 0}, {1, 0, 0});
@@ -183,7 +183,7 @@ TEST_P(Truth, ABoxsFarEdgesAreHiddenHoweverThinItIs) {
         const float depth = seen.lines.vertices[segment.p].z + seen.lines.vertices[segment.q].z;
         if (depth > -0.01F || seen.clipped.samples(i) < 10) continue;
         ++behind;
-        // Half of a line on the outline is beside the box, less what perspective moves it inwards.
+        // Half of the quad of an outline lies beside the box, a little less in perspective.
         const std::uint32_t middle = seen.clipped.offsets[i] + seen.clipped.samples(i) / 2;
         EXPECT_NEAR(seen.truth[middle], GetParam() ? 0.43F : 0.5F, 0.04F) << i;
     }
@@ -191,7 +191,7 @@ TEST_P(Truth, ABoxsFarEdgesAreHiddenHoweverThinItIs) {
 }
 
 TEST_P(Truth, CoincidentFacesDoNotHide) {
-    // A wall 18 units wide is known to 2e-6 of its extent.
+    // Positions of a sheet 18 units wide are known to 2e-6 of its extent.
     const auto visible = [&](float distance, const TruthOptions& options = {}) {
         Mesh mesh;
         add_sheet(mesh, distance);
@@ -202,7 +202,7 @@ TEST_P(Truth, CoincidentFacesDoNotHide) {
     EXPECT_EQ(visible(0), 1);
     EXPECT_EQ(visible(1e-6F * extent), 1);
     EXPECT_EQ(visible(4e-6F * extent), 0);
-    // A contact ten times too large lets it through.
+    // Planted: with ten times the contact the sheet does not hide the line.
     TruthOptions planted;
     planted.rule.contact *= 10;
     EXPECT_EQ(visible(4e-6F * extent, planted), 1);
@@ -226,7 +226,7 @@ TEST_P(Truth, APostBehindAPanelIsHiddenButByTheOldRule) {
         return sum;
     };
     EXPECT_EQ(shown(Oracle{lines}), 0);
-    // As if everything within two pixels were a line's own surface.
+    // Planted: all triangles are one patch.
     const Oracle planted{lines, std::vector<std::uint32_t>(lines.triangles.size(), 0)};
     EXPECT_GT(shown(planted), 100);
 }
@@ -254,14 +254,14 @@ TEST_P(Truth, ABoxOnAFloorIsVisibleWhereItStands) {
 }
 
 TEST_P(Truth, ASmoothSurfaceDoesNotHideItsOwnOutline) {
-    // Three pixels in radius: half a pixel beside its outline it is 1.7 pixels before it.
+    // The radius is three pixels. Half a pixel inside the outline the surface is 1.7 pixels nearer.
     const Mesh mesh = tube(0.03, 48);
     const LineKindMask outline = mask_of(LineKind::silhouette);
     EXPECT_GT(mean(see(mesh, camera_, outline).truth), 0.97);
     TruthOptions planted;
     planted.rule.patch_pixels = 0;
     EXPECT_LT(mean(see(mesh, camera_, outline, planted).truth), 0.8);
-    // Another surface there does hide it.
+    // Another surface at that distance hides the outline.
     Mesh behind = mesh;
     add_sheet(behind, 0.035F);
     EXPECT_EQ(mean(see(behind, camera_, outline).truth), 0);
@@ -275,7 +275,7 @@ TEST_P(Truth, WhatStandsBeforeTheNearPlaneHidesNothing) {
 }
 
 TEST_P(Truth, HalfTheQuadBesideASheet) {
-    // The sheet's edge runs along the line's spine: half the width is hidden.
+    // The sheet's edge runs along the middle of the line, so half of its width is hidden.
     Mesh mesh;
     mesh.positions = {{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}};
     mesh.triangles = {{0, 1, 2}};
@@ -297,7 +297,7 @@ TEST_P(Truth, CreasesOfACubeAreVisibleInFrontAndHiddenBehind) {
         const std::uint32_t l = seen.clipped.samples(i);
         for (std::uint32_t j = 0; j < l; ++j) {
             const float share = seen.truth[seen.clipped.offsets[i] + j];
-            // Hidden edges peep out where they reach the outline.
+            // Hidden edges stick out a little where they reach the outline.
             if (j < 2 || j + 2 >= l) continue;
             EXPECT_EQ(share, hidden ? 0 : 1) << i << ", " << j;
         }
@@ -327,7 +327,7 @@ TEST_P(Truth, IsTheSameWithAnyNumberOfThreads) {
 }
 
 TEST_P(Truth, CacheGivesBackExactlyWhatWasComputed) {
-    // Shares of exactly one half stand on the threshold of a wrong sample.
+    // Shares of exactly one half lie on the threshold of a wrong sample.
     Mesh mesh;
     mesh.positions = {{-9, 0, 1}, {9, 0, 1}, {0, 9, 1}};
     mesh.triangles = {{0, 1, 2}};

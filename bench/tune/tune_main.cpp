@@ -1,8 +1,8 @@
-// lineatlas-bench-tune: tries values of the tuning table on a device, one parameter after the
-// other, and prints a row for it.
+// lineatlas-bench-tune: measures values of the tuning table on a device, one parameter after the
+// other, and prints the device's row of the table.
 //
-// Candidates of a parameter run in turns; each must give the right result first. A value replaces
-// the table's only if its median is clearly better.
+// The candidates of a parameter take turns. A candidate with a wrong result is left out. A value
+// replaces that of the table only if its median is clearly better.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ using compute::OpenClDevice;
 using compute::Tuning;
 using compute::TuningField;
 
-/// A median this much shorter than the table's value's is no accident.
+/// A candidate is better if its median time is below this share of the table value's.
 constexpr double clearly_better = 0.95;
 
 bool any_wrong = false;
@@ -36,7 +36,7 @@ const TuningField& field_named(const std::string& name) {
 /// One value of a parameter, ready to be timed.
 struct Candidate {
     Tuning tuning;
-    std::string text; ///< of the value
+    std::string text; ///< the value as text
     Devices devices{};
     Job job{};
 };
@@ -58,14 +58,14 @@ std::vector<Candidate> candidates_of(const Parameter& parameter, const Tuning& c
     return result;
 }
 
-/// Makes the candidate's job; throws Error if it leaves another result than C++ does.
+/// Makes the candidate's job. Throws Error if its result is not that of `cpp`.
 void prepare(Candidate& candidate, const Parameter& parameter, const OpenClDevice& device) {
     candidate.devices = make_devices(compute::make_opencl_backend(device, {}, candidate.tuning));
     const Rows rows = parameter.rows_of(candidate.devices);
     candidate.job = std::ranges::find(rows, parameter.row, &Row::name)->prepare(parameter.n);
 }
 
-/// Those that the device runs with the right result.
+/// The candidates that the device runs with the right result.
 std::vector<Candidate> prepared(std::vector<Candidate> candidates, const Parameter& parameter,
                                 const OpenClDevice& device) {
     std::vector<Candidate> result;

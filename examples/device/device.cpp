@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::ivec2 size{800, 600};
 
-/// White, and bound.
+/// Makes a white framebuffer and binds it.
 void make_framebuffer() {
     GLuint framebuffer, color;
     glCreateFramebuffers(1, &framebuffer);
@@ -49,15 +49,15 @@ void draw(const char* picture) {
     make_framebuffer();
 
     register_threads_device();
-    // While a device is being written, every kernel runs on "cpp" too, and the first that gives
-    // something else is named.
+    // For developing a device: every kernel also runs on "cpp". The first kernel whose results
+    // differ is named.
     Renderer renderer({.compute = "threads", .compare_with = "cpp"});
     renderer.set_lines(extract_lines(scene.mesh));
     renderer.draw(camera, {.forms = {.atlas = StageForm::compute}}, bound_framebuffer);
     std::cout << renderer.description() << ": equal in " << renderer.comparison().kernels
               << " kernels\n";
 
-    // As it is used.
+    // For using the device.
     renderer.set_device({.compute = "threads"});
     glClear(GL_COLOR_BUFFER_BIT);
     renderer.draw(camera, {}, bound_framebuffer);

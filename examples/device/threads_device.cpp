@@ -1,4 +1,4 @@
-// A device from outside the library: kernels run as C++ on threads of its own.
+// A device outside the library. It runs the kernels as C++ on threads of its own.
 #include "threads_device.hpp"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace {
 
 using namespace lineatlas;
 
-/// Kernels read vectors of up to 64 bytes.
+/// Buffers are aligned for the kernels' vectors of up to 64 bytes.
 constexpr std::align_val_t alignment{64};
 
-/// Memory of its own, or of somebody else.
+/// A buffer in memory that it owns, or in memory of somebody else.
 class ThreadsBuffer final : public compute::Buffer {
   public:
     explicit ThreadsBuffer(std::size_t size)
@@ -37,17 +37,18 @@ class ThreadsBuffer final : public compute::Buffer {
     std::byte* memory_;
 };
 
-/// A device is only ever given buffers that it has made.
+/// The memory of a buffer. A device only gets buffers that it has made.
 std::byte* memory_of(const compute::Buffer& buffer) {
     return static_cast<const ThreadsBuffer&>(buffer).memory();
 }
 
-/// Runs action(0) to action(count - 1), each on a thread, and waits; throws what one of them threw.
+/// Runs action(0) to action(count - 1), each on a thread, and waits for all. Rethrows the exception
+/// of one of them.
 template <class Action>
 void on_threads(std::size_t count, const Action& action) {
     std::exception_ptr error;
     std::mutex mutex;
-    std::vector<std::jthread> threads; // each is waited for when it goes
+    std::vector<std::jthread> threads; // the destructor waits for all
     for (std::size_t i = 0; i < count; ++i) {
         threads.emplace_back([&, i] {
             try {
@@ -80,7 +81,8 @@ class ThreadsDevice final : public compute::Device {
     std::unique_ptr<compute::Buffer> wrap(std::span<std::byte> memory) override {
         return std::make_unique<ThreadsBuffer>(memory);
     }
-    // The host and this device see the same memory, and no call returns before it is done.
+    // Nothing to do: the host and this device share memory, and no call returns before its work is
+    // done.
     void begin_host_access(compute::Buffer&) override {}
     void end_host_access(compute::Buffer&) override {}
     void flush() override {}
@@ -100,7 +102,7 @@ class ThreadsDevice final : public compute::Device {
         std::memset(memory_of(buffer), 0, bytes);
     }
 
-    /// Work-items in as many parts as there are threads.
+    /// Runs the work-items in as many parts as there are threads.
     void launch(const compute::Launch& launch) override {
         std::vector<void*> tables;
         for (const compute::Buffer* table : launch.tables) tables.push_back(memory_of(*table));
@@ -114,7 +116,7 @@ class ThreadsDevice final : public compute::Device {
 
   private:
     std::size_t count_ = std::max(1U, std::thread::hardware_concurrency());
-    compute::Tuning tuning_; // as it comes: kernels without barriers, whole blocks per work-item
+    compute::Tuning tuning_; // the default: kernels without barriers, a whole block per work-item
 };
 
 std::unique_ptr<compute::Device> make_threads_device(std::string_view) {

@@ -1,4 +1,4 @@
 #pragma once
 
-/// Makes the device "threads" known: compute::make_device("threads"), DeviceOptions::compute.
+/// Registers the device "threads" for compute::make_device() and DeviceOptions::compute.
 void register_threads_device();

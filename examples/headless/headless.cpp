@@ -1,4 +1,4 @@
-// Draws a model into a picture, without a window: headless MODEL PICTURE
+// Draws a model into a picture without a window. Usage: headless MODEL PICTURE
 #include <cstdlib>
 #include <iostream>
 #include <vector>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr glm::ivec2 size{800, 600};
 
-/// White, and bound.
+/// Makes a white framebuffer and binds it.
 void make_framebuffer() {
     GLuint framebuffer, color;
     glCreateFramebuffers(1, &framebuffer);

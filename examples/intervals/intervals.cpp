@@ -1,4 +1,4 @@
-// Which parts of which edges of a model are visible; nothing is drawn.
+// Prints the visible parts of a model's edges. It draws no picture.
 #include <cstdlib>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// Lines by the depth buffer of a renderer as many are: reversed, with the far plane at infinity, in
-// clip space from 0 to 1, and multisampled. own_depth PICTURE.ppm
+// Draws lines by the depth buffer of another renderer. The buffer is reversed and multisampled, its
+// far plane is at infinity, and its clip space goes from 0 to 1. Usage: own_depth PICTURE.ppm
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -64,7 +64,7 @@ Target make_target(int samples) {
     return {framebuffer, textures[1]};
 }
 
-/// Depth 1 at the near plane, 0 infinitely far away.
+/// A projection with depth 1 at the near plane and 0 at infinity.
 glm::mat4 reversed_projection(float fov_y, float near) {
     const float focal = 1 / std::tan(fov_y / 2);
     glm::mat4 projection(0);
@@ -114,7 +114,7 @@ void draw(const char* picture) {
     const View view = scene.view(0);
     Camera camera = make_camera(view, size, bounds_of(scene.mesh));
     camera.projection = reversed_projection(view.fov_y, view.near);
-    camera.clip.zero_to_one = true; // as glClipControl is told below
+    camera.clip.zero_to_one = true; // set by glClipControl below
 
     // The program's own picture.
     const Target drawn = make_target(4);
@@ -128,7 +128,7 @@ void draw(const char* picture) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     draw_triangles(scene.mesh, camera);
 
-    // Multisampled depth has no one value per pixel: without this the renderer refuses it.
+    // Multisampled depth has several values per pixel, which the renderer refuses. So resolve it.
     const Target resolved = make_target(1);
     glBlitNamedFramebuffer(drawn.framebuffer, resolved.framebuffer, 0, 0, size.x, size.y, 0, 0,
                            size.x, size.y, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);

@@ -1,5 +1,5 @@
-// A sequence of drawings that says how far it is and stops on Ctrl-C, in the middle of a frame too.
-// turntable FRAMES
+// Draws a sequence. It prints its progress and stops on Ctrl-C, even in the middle of a frame.
+// Usage: turntable FRAMES
 #include <csignal>
 #include <cstdlib>
 #include <fstream>

@@ -1,4 +1,4 @@
-// A program with its own window, shading and depth buffer, and lines over its picture.
+// A program with its own window, shading and depth buffer draws lines over its picture.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -83,7 +83,7 @@ void save(const char* path) {
 }
 
 void run(GLFWwindow* window, int most_frames, const char* screenshot) {
-    const Scene scene = make_scene("clevis"); // in your program: the model you draw anyway
+    const Scene scene = make_scene("clevis"); // stands for your program's own model
     const GLuint program = make_program();
     GLuint vertices, framebuffer;
     glGenVertexArrays(1, &vertices);

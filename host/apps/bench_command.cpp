@@ -11,7 +11,7 @@ Command setup_bench(CLI::App& app) {
     app.footer("Each takes --help for its own options.");
     for (const auto& [name, description] :
          {std::pair{"frames", "Frame times of every method beside the paper's Table 1"},
-          std::pair{"kernels", "Every kernel beside a copy, std, TBB and Boost.Compute"},
+          std::pair{"kernels", "Every kernel as a share of a copy's speed"},
           std::pair{"interop", "Handing buffers over between GL and OpenCL in each mode"},
           std::pair{"quality", "Visibility against exact ray casting"},
           std::pair{"compare", "Two builds by the figures of frames and kernels"},

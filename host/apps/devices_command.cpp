@@ -134,10 +134,10 @@ void list_devices(const DevicesOptions& options) {
             json["devices"].push_back(show_device(devices, i, trials[i], i == chosen, limit));
         for (const std::string& cause : compute::drivers_that_fail())
             print_output(fmt::format("  not used: {}\n", cause));
-        print_output(
-            fmt::format("\n{}choose another with --device or LINEATLAS_DEVICE, by any part of its "
-                        "names:\n  opencl:<platform>[:<device>]\n",
-                        chosen ? "* is used by default; " : "No device passes, so cpp is used; "));
+        print_output(fmt::format(
+            "\n{}choose another with --device or LINEATLAS_DEVICE, by any part of its "
+            "names:\n  opencl:<platform>[:<device>]\n",
+            chosen ? "* is used by default; " : "No device passes its trial, so cpp is used; "));
     }
     print_output("\ncpp: kernels as C++ on all cores (--compute cpp)\n");
     const std::string readers = describe(offered_confinement());

@@ -64,7 +64,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     }
     arguments.explode.explosion();
     if (!arguments.scene.empty() && arguments.parts.given())
-        throw UsageError("--only and --hide are for the parts of a MODEL file");
+        throw UsageError("--only and --hide need a MODEL file; `lineatlas scene` writes one");
     if (arguments.repeat < 1) throw UsageError("--repeat must be at least 1");
     crease_angle(arguments);
     silhouettes(arguments);
@@ -80,7 +80,8 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
     arguments.profile.check();
     arguments.kernels.check();
     if (arguments.kernels.given() && (sequence || !arguments.device.compare_with.empty()))
-        throw UsageError("--kernels measures one picture, and compares it with no other device");
+        throw UsageError("--kernels measures one picture by one device; leave out --turntable, "
+                         "--camera-path and --compare-with");
     arguments.read.check();
     arguments.sheet.check(arguments.view, arguments.output);
     if (arguments.view.is_sheet()) {

@@ -37,9 +37,10 @@ void SectionOptions::declare(CLI::App& app, const std::string& group) {
 void SectionOptions::check() const {
     for (const std::string& plane : planes_) parse_section(plane, {{0, 0, 0}, {1, 1, 1}});
     if (planes_.size() > most_sections)
-        throw UsageError(fmt::format("--section: {} planes at most", most_sections));
+        throw UsageError(fmt::format("--section may be given {} times at most, not {}",
+                                     most_sections, planes_.size()));
     if (planes_.empty() && app_->count("--hatching") > 0)
-        throw UsageError("--hatching is for --section");
+        throw UsageError("--hatching needs --section; add it, or leave out --hatching");
     hatching();
 }
 
@@ -61,8 +62,8 @@ Hatching SectionOptions::hatching() const {
         result.spacing > 0 && result.spacing < 1e15 && result.angle >= -360 && result.angle <= 360;
     if (!spacing || !angle || !rest.empty() || !in_range)
         throw UsageError("--hatching \"" + hatching_ +
-                         "\" is none; it is a spacing, as in 2.5, with degrees, as in 2.5,30, or "
-                         "\"none\"");
+                         "\" is no hatching; write a spacing as in 2.5, spacing and degrees as in "
+                         "2.5,30, or none");
     return result;
 }
 

@@ -52,12 +52,14 @@ void SheetArguments::declare(CLI::App& app) {
 
 void SheetArguments::check(const ViewOptions& view, const std::filesystem::path& output) const {
     if (!view.is_sheet()) {
-        if (!fields_.empty()) throw UsageError("--field is for a sheet; see --views");
+        if (!fields_.empty())
+            throw UsageError("--field needs --views; add it, or leave out --field");
         return;
     }
     for (const char* option : not_of_sheets)
         if (app_->count(option) > 0)
-            throw UsageError(fmt::format("--views and {} exclude each other", option));
+            throw UsageError(
+                fmt::format("--views and {} exclude each other; leave out one of them", option));
     views_of(view);
     angle_of(view);
     if (view.to_scale()) parse_scale("--scale", view.scale());

@@ -65,7 +65,9 @@ void PartFilter::apply(LoadedMesh& loaded) const {
     std::vector<bool> wanted;
     for (const PartPath& path : paths.paths) wanted.push_back(wanted_part(path));
     keep_parts(loaded.mesh, paths, wanted, only_.empty());
-    if (loaded.mesh.empty()) throw UsageError("--only and --hide leave nothing to draw");
+    if (loaded.mesh.empty())
+        throw UsageError(
+            "--only and --hide leave nothing to draw; `lineatlas info` lists the parts");
 }
 
 } // namespace lineatlas

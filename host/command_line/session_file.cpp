@@ -65,7 +65,8 @@ void check(const SessionFile::Option& option) {
         if (option.key == "section") parse_section(value, {{0, 0, 0}, {1, 1, 1}});
     }
     if (option.key == "section" && option.values.size() > most_sections)
-        throw UsageError(fmt::format("section: {} planes at most", most_sections));
+        throw UsageError(fmt::format("section has {} planes at most, not {}", most_sections,
+                                     option.values.size()));
     FrameSettings checked;
     for (const FrameSetting& setting : frame_settings()) {
         if (setting.key != option.key) continue;
@@ -115,7 +116,8 @@ class Reader {
             for (const std::string& model : words(node))
                 if (!model.empty()) session_.models.push_back(file_.parent_path() / model);
             if (session_.models.size() > most_models)
-                throw UsageError(fmt::format("{} files at most", most_models));
+                throw UsageError(fmt::format("model has {} files at most, not {}", most_models,
+                                             session_.models.size()));
         } else if (key == "scene") {
             session_.scene = as_word(node);
         } else if (key == "views") {

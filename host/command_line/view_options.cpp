@@ -88,20 +88,23 @@ void ViewOptions::check() const {
     if (is_sheet()) {
         for (const char* option : {"--view", "--eye", "--target", "--fov"})
             if (app_->count(option) > 0)
-                throw UsageError(fmt::format("--views and {} exclude each other", option));
+                throw UsageError(fmt::format(
+                    "--views and {} exclude each other; leave out one of them", option));
         millimetres_of(unit_);
         return;
     }
-    if (!view_.empty() && !eye_.empty()) throw UsageError("--view and --eye exclude each other");
+    if (!view_.empty() && !eye_.empty())
+        throw UsageError("--view and --eye exclude each other; leave out one of them");
     if (!view_.empty()) view_direction(view_, {0, 1, 0});
     const bool parallel = projection() == Projection::orthographic;
     if (to_scale()) {
         parse_scale("--scale", scale_);
         millimetres_of(unit_);
         if (!parallel) throw UsageError("--scale needs --projection orthographic");
-        if (app_->count("--fov") > 0) throw UsageError("--scale and --fov exclude each other");
+        if (app_->count("--fov") > 0)
+            throw UsageError("--scale and --fov exclude each other; leave out one of them");
     } else if (app_->count("--unit") > 0) {
-        throw UsageError("--unit is for --scale and --views");
+        throw UsageError("--unit needs --scale or --views; add one, or leave out --unit");
     }
 }
 

@@ -187,7 +187,8 @@ Camera make_camera(const View& view, glm::ivec2 size, const Bounds& bounds) {
     }
     glm::vec2 planes{view.near, view.far};
     if (view.near <= 0 || view.far <= 0) {
-        if (bounds.min.x > bounds.max.x) throw UsageError("camera: there is nothing to look at");
+        if (bounds.min.x > bounds.max.x)
+            throw UsageError("camera: the model has no points to frame");
         const glm::vec2 fitted = fit_planes(view, bounds);
         if (view.near <= 0) planes.x = fitted.x;
         if (view.far <= 0) {
@@ -221,7 +222,7 @@ View frame_points_from(const ViewDirection& direction, std::span<const glm::vec3
                        glm::ivec2 size, float fov_y, Projection projection) {
     const glm::vec3 toward_eye = direction.toward_eye;
     check_field_of_view(fov_y);
-    if (points.empty()) throw UsageError("camera: there is nothing to look at");
+    if (points.empty()) throw UsageError("camera: the model has no points to frame");
     Bounds bounds;
     for (const glm::vec3& point : points) {
         bounds.min = glm::min(bounds.min, point);

@@ -27,7 +27,7 @@ void check(const Explosion& explosion) {
     for (const PartMove& move : explosion.moves)
         if (!std::isfinite(glm::length(move.by)))
             throw UsageError("explode: \"" + printable(move.part) +
-                             "\" moves by what is not finite");
+                             "\" moves by a number that is not finite");
 }
 
 /// A part of the tree. Nodes stand after the nodes that contain them.

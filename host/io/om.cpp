@@ -108,7 +108,7 @@ Soup read_om(const SourceFile& source) {
     if (importer.n_vertices() != checked.vertices || importer.n_faces() != checked.faces ||
         !importer.add_halfedge_faces())
         throw read_error(source.path,
-                         "OpenMesh finds other numbers of vertices and faces than its header");
+                         "its header promises other numbers of vertices and faces than it holds");
     return importer.take();
 }
 

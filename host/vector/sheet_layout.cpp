@@ -254,7 +254,7 @@ glm::dvec2 page_size(const Page& page) {
 }
 
 Bounds bounds_around(std::span<const glm::vec3> points) {
-    if (points.empty()) throw UsageError("a sheet: there is nothing to look at");
+    if (points.empty()) throw UsageError("a sheet: the model has no points to frame");
     Bounds bounds;
     for (const glm::vec3& point : points) {
         bounds.min = glm::min(bounds.min, point);

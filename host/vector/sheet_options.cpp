@@ -34,7 +34,7 @@ std::size_t end_of_view(std::string_view list) {
 } // namespace
 
 void check_sheet_options(const SheetOptions& options) {
-    if (options.views.empty()) throw UsageError("a sheet has one view at least");
+    if (options.views.empty()) throw UsageError("a sheet needs at least one view");
     for (auto view = options.views.begin(); view != options.views.end(); ++view) {
         view_direction(*view, {0, 1, 0});
         if (std::find(options.views.begin(), view, *view) != view)

@@ -122,7 +122,7 @@ void Session::open_models(const std::vector<std::filesystem::path>& files) {
     if (added) source = model_->source;
     source.files.insert(source.files.end(), files.begin(), files.end());
     if (source.files.size() > most_models)
-        return messages.error(fmt::format("There may be {} files in a scene", most_models));
+        return messages.error(fmt::format("A scene has {} files at most; open fewer", most_models));
     forget_awaited();
     if (added) await_the_same();
     // The file that was alone becomes a part with its name.

@@ -15,7 +15,7 @@ namespace lineatlas::viewer {
 void Session::show_parts(ShownParts shown) {
     if (model_ == nullptr || shown == settings.shown.parts) return;
     if (model_->parts.shown(*model_->whole, shown).empty())
-        return messages.notice("Nothing would be left to see");
+        return messages.notice("Nothing would be left to show, so all parts stay");
     settings.shown.parts = std::move(shown);
     changed();
 }

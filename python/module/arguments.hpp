@@ -6,8 +6,8 @@
 
 #include <pybind11/pybind11.h>
 
-// Arguments that say what is wrong with them: a TypeError of one line with the argument's name, in
-// place of pybind11's list of signatures. And text for people.
+// Arguments whose errors are a TypeError of one line with the argument's name, instead of
+// pybind11's list of signatures. Also values as text for people.
 namespace lineatlas::python {
 
 namespace py = pybind11;
@@ -19,7 +19,7 @@ struct Text {
     constexpr Text(const char (&text)[size]) { std::copy_n(text, size, letters); }
 };
 
-/// A parameter called `name` of a bound function, which must be `wanted`.
+/// A parameter of a bound function. `wanted` names the values that it takes.
 template <class T, Text name, Text wanted>
 struct Argument {
     T value{};
@@ -35,14 +35,14 @@ using Word = Argument<std::string, name, "text">;
 template <Text name>
 using Real = Argument<float, name, "a number">;
 
-/// Text of a file, or with a file's name in it, whose bytes need not be UTF-8: those that are not
-/// become `\x80`.
+/// Text that may hold bytes of a file or of its name, as a Python string. Bytes that are not UTF-8
+/// become escapes such as `\x80`.
 py::str readable(std::string_view text);
 
-/// A value for people: as Python writes it if that is short, else its type.
+/// A value as text for people: its repr() if that is short, else its type.
 std::string shown(py::handle value);
 
-/// The TypeError of an argument that is not what is wanted.
+/// The TypeError for an argument of the wrong type.
 py::type_error wrong_argument(std::string_view name, std::string_view wanted, py::handle given);
 
 } // namespace lineatlas::python

@@ -15,14 +15,14 @@ std::string shape_of(const py::array& array) {
     return text + ")";
 }
 
-/// Any object as an array of numbers whose type is of one of NumPy's `kinds`.
+/// An object as an array of numbers. `kinds` lists the allowed kinds of NumPy types.
 py::array number_array(py::handle object, const std::string& name, const std::string& kinds) {
     const py::array array = py::array::ensure(py::reinterpret_borrow<py::object>(object));
     if (!array) {
-        PyErr_Clear(); // it says less
+        PyErr_Clear(); // the message below says more
         throw py::type_error(name + " is not an array");
     }
-    // An empty list has no type of its own: NumPy calls it float.
+    // NumPy makes an empty list an array of floats, so the type of empty arrays does not matter.
     if (array.size() != 0 && kinds.find(array.dtype().kind()) == std::string::npos) {
         const std::string wanted = kinds.find('f') != std::string::npos ? "real" : "whole";
         throw py::type_error(name + " must be " + wanted + " numbers, not " +
@@ -64,7 +64,7 @@ std::vector<Point> finite_rows(const py::array& given, const char* name) {
     return points;
 }
 
-/// All entries in C order; unsigned ones of 64 bits that are too large become negative.
+/// All entries in C order. Too large unsigned 64-bit entries become negative.
 py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>
 whole_numbers(const py::array& array) {
     return {array};
@@ -74,7 +74,7 @@ template <class Point>
 std::vector<Point> rows_from(py::handle object, const char* name) {
     const py::array given = number_array(object, name, "fiu");
     check_rows(given, 3, name);
-    // By way of double what is too large for a float becomes infinite without a word.
+    // Values too large for a float become infinite without a warning if they come from doubles.
     return given.dtype().is(py::dtype::of<float>()) ? finite_rows<float, Point>(given, name)
                                                     : finite_rows<double, Point>(given, name);
 }
@@ -104,7 +104,7 @@ std::vector<glm::mat4> matrices_from(py::handle object, const char* name) {
     std::vector<glm::mat4> matrices(static_cast<std::size_t>(rows.shape(0)));
     const double* value = rows.data();
     for (glm::mat4& matrix : matrices) {
-        // A row per row; GLM keeps columns.
+        // NumPy stores rows, GLM columns.
         for (int row = 0; row < 4; ++row)
             for (int column = 0; column < 4; ++column)
                 matrix[column][row] = static_cast<float>(*value++);

@@ -11,8 +11,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-// NumPy arrays as the library's tables and back. Whatever has the wrong type ends in a TypeError,
-// the wrong shape or value in a UsageError; both name the argument.
+// Converts NumPy arrays to the library's tables and back. A wrong type raises TypeError, a wrong
+// shape or value UsageError. Both name the argument.
 namespace lineatlas::python {
 
 namespace py = pybind11;
@@ -28,9 +28,9 @@ inline std::tuple<float, float, float> tuple_of(glm::vec3 vector) {
 
 /// Rows of three numbers that are finite as floats, from any real type and memory order.
 std::vector<glm::vec3> points_from(py::handle object, const char* name);
-/// The same with all their digits.
+/// The same rows as doubles, with all their digits.
 std::vector<glm::dvec3> exact_points_from(py::handle object, const char* name);
-/// Whether they were floats before they came here: what digits those lack is lost.
+/// True if the array holds 32-bit floats, which lack digits of large coordinates.
 bool holds_floats(py::handle object);
 
 /// Matrices of finite numbers, from an array of the shape (n, 4, 4).
@@ -46,10 +46,10 @@ std::vector<std::array<std::uint32_t, 2>> pairs_from(py::handle object, const ch
 /// A list of indices, each below `limit`.
 std::vector<std::uint32_t> indices_from(py::handle object, const char* name, std::size_t limit);
 
-/// Whether `object` is, or becomes as an array, one of whole numbers.
+/// True if `object`, as an array, holds whole numbers.
 bool holds_integers(py::handle object);
 
-/// An array that takes over what `values` holds; nothing is copied.
+/// An array that takes over the memory of `values` without a copy.
 template <class T>
 py::array array_of(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
     auto* kept = new std::vector<T>(std::move(values));
@@ -57,7 +57,7 @@ py::array array_of(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
     return py::array_t<T>(std::move(shape), kept->data(), owner);
 }
 
-/// An array that shows what `owner` holds; it can't be written to.
+/// A read-only array of memory that `owner` keeps alive.
 template <class T>
 py::array view_of(const T* values, std::vector<py::ssize_t> shape, py::handle owner) {
     py::array_t<T> array(std::move(shape), values, owner);

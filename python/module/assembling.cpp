@@ -10,7 +10,8 @@ void append(Mesh& mesh, const Mesh& part) {
     for (const glm::uvec3& t : part.triangles) mesh.triangles.push_back(t + vertices);
     mesh.groups.insert(mesh.groups.end(), part.groups.begin(), part.groups.end());
     if (mesh.groups.empty()) return;
-    if (groups == 0 || part.groups.empty()) mesh.groups.emplace_back(); // of what has none
+    if (groups == 0 || part.groups.empty())
+        mesh.groups.emplace_back(); // the group of meshes without groups
     const auto none = static_cast<std::uint32_t>(mesh.groups.size() - 1);
     mesh.triangle_group.resize(triangles, none);
     for (const std::uint32_t group : part.triangle_group)

@@ -6,10 +6,11 @@
 
 namespace lineatlas::python {
 
-/// Positions, triangles and groups of a part behind those of a mesh.
+/// Appends the positions, triangles and groups of a part to a mesh.
 void append(Mesh& mesh, const Mesh& part);
 
-/// What lines refer to of their mesh stands behind so many positions and triangles.
+/// Adapts the lines of a part to a mesh in which `vertices` positions and `triangles` triangles
+/// precede the part's own.
 void shift_sources(LineSet& lines, std::uint32_t vertices, std::uint32_t triangles);
 
 } // namespace lineatlas::python

@@ -2,7 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
-// What the module consists of: each adds its part.
+// The parts of the module. Each function binds one of them.
 namespace lineatlas::python {
 
 void bind_errors(pybind11::module_& module);
@@ -13,8 +13,8 @@ void bind_style(pybind11::module_& module);
 void bind_renderer(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 
-/// Makes all functions of the module, once they are bound, say in one line which named argument
-/// they don't have, in place of pybind11's list of signatures.
+/// Makes all bound functions name an unknown keyword argument in one line, instead of pybind11's
+/// list of signatures. Call it after everything is bound.
 void name_unknown_arguments(pybind11::module_& module);
 
 } // namespace lineatlas::python

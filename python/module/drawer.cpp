@@ -18,7 +18,7 @@ namespace lineatlas::python {
 
 namespace {
 
-/// From 16 bits to 8, rounded.
+/// Rounds values of 16 bits to 8 bits.
 std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
     const auto* value = reinterpret_cast<const std::uint16_t*>(values.data());
     std::vector<std::uint8_t> bytes(values.size() / sizeof(std::uint16_t));
@@ -26,7 +26,7 @@ std::vector<std::uint8_t> to_bytes(std::span<const std::byte> values) {
     return bytes;
 }
 
-/// The part's mesh about the origin of `other`, beside which it is to stand.
+/// The part's mesh with positions relative to the origin of `other`.
 Mesh mesh_beside(const Model& part, const Model& other) {
     Mesh mesh = part.mesh;
     const auto [x, y, z] = part.origin;
@@ -48,18 +48,18 @@ ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& opt
     return {std::move(model), std::move(lines), options};
 }
 
-/// From here to its end this thread has the drawer, and the context of its renderer, once there is
-/// one, is current.
+/// Gives this thread the drawer until the destructor. If the drawer has a renderer, the renderer's
+/// context is current meanwhile.
 class Drawer::InUse {
   public:
     explicit InUse(const Drawer& drawer) : lock_(drawer.lock()) {
         if (!drawer.state_) throw UsageError("the renderer is closed");
         if (drawer.state_->pictures) take(drawer);
     }
-    /// The same, with a renderer.
+    /// The same, and makes the renderer if there is none.
     InUse(Drawer& drawer, Pictures*& pictures) : InUse(drawer) {
         if (!drawer.state_->pictures) {
-            keeper_.emplace(); // before another becomes current
+            keeper_.emplace(); // before another context becomes current
             drawer.make_pictures();
         }
         pictures = drawer.state_->pictures.get();
@@ -79,11 +79,11 @@ Drawer::Drawer(ModelLines subject, const DeviceOptions& device)
     : made_(std::make_shared<ModelLines>(std::move(subject))), subject_(made_) {
     enter_drivers();
     if (device.interop.empty()) {
-        compute::find_device(device); // or it throws
+        compute::find_device(device); // throws if there is no such device
         state_ = std::make_unique<State>(State{device});
         return;
     }
-    // What is said of sharing with GL is wrong or right only where GL is.
+    // A sharing mode can only be checked with GL, so the renderer is made at once.
     const gl::CurrentContextKeeper keeper;
     state_ = std::make_unique<State>(State{device});
     make_pictures();
@@ -95,7 +95,7 @@ Drawer::~Drawer() {
 
 Drawer::Pictures& Drawer::make_pictures() {
     auto pictures = std::make_unique<Pictures>(state_->device);
-    state_->visibility.reset(); // the model's memory goes to the renderer
+    state_->visibility.reset(); // frees the device's memory for the renderer
     if (assembly_)
         pictures->renderer.set_lines(*assembly_);
     else
@@ -111,7 +111,8 @@ LineVisibility& Drawer::make_visibility() {
     return *state_->visibility;
 }
 
-/// Checked first: a thread that the fork has left behind may have had the mutex.
+/// Locks the mutex. enter_drivers() comes first: after a fork, a thread that no longer exists may
+/// hold the mutex.
 std::unique_lock<std::mutex> Drawer::lock() const {
     enter_drivers();
     return std::unique_lock{mutex_};
@@ -127,7 +128,7 @@ DeviceOptions Drawer::device() const {
 
 void Drawer::close() {
     if (has_lost_drivers()) {
-        static_cast<void>(state_.release()); // to take it apart would wait for drivers
+        static_cast<void>(state_.release()); // leaked, because destructors would wait for drivers
         return;
     }
     const std::unique_lock held = lock();
@@ -151,7 +152,7 @@ void Drawer::set_subject(ModelLines subject) {
     assembly_.reset();
 }
 
-/// The lines where they are now, as those that know no placement are to see them.
+/// The lines at their places of now, for code that knows no placements.
 std::shared_ptr<const ModelLines> Drawer::placed(const Placement& placement) const {
     auto result = std::make_shared<ModelLines>(*made_);
     LineSet& lines = result->lines;
@@ -175,7 +176,7 @@ void Drawer::set_transforms(std::vector<glm::mat4> world_from_object) {
     const InUse use{*this};
     Placement next = placement_;
     next.transforms = std::move(world_from_object);
-    std::shared_ptr<const ModelLines> moved = placed(next); // or it throws
+    std::shared_ptr<const ModelLines> moved = placed(next); // may throw
     if (state_->pictures) state_->pictures->renderer.set_transforms(next.transforms);
     take(std::move(next), std::move(moved));
 }
@@ -186,7 +187,7 @@ void Drawer::set_positions(std::span<const glm::vec3> positions) {
         throw UsageError("positions: parts were added or removed; make a new Renderer of the "
                          "whole to change its shape");
     }
-    LineSet shape; // what move_vertices() needs, and no more
+    LineSet shape; // only the members that move_vertices() needs
     shape.vertices = made_->lines.vertices;
     shape.vertex_sources = made_->lines.vertex_sources;
     shape.cut_vertices = made_->lines.cut_vertices;
@@ -310,7 +311,7 @@ void Drawer::set_pens(Pictures& pictures, const Style& style) {
 gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
     std::unique_ptr<gl::Canvas>& canvas = pictures.canvas;
     if (!canvas || canvas->size() != size || canvas->bits() != bits) {
-        canvas.reset(); // before the next one takes memory
+        canvas.reset(); // frees memory for the next canvas
         canvas = std::make_unique<gl::Canvas>(size, bits);
     }
     return *canvas;
@@ -318,7 +319,7 @@ gl::Canvas& Drawer::canvas(Pictures& pictures, glm::ivec2 size, int bits) {
 
 namespace {
 
-/// Kinds that somebody asked for are drawn whatever the style says.
+/// The kinds of line that the caller asked for. They are drawn whatever the style says.
 std::optional<LineKindMask> asked_kinds(const ModelLines& subject) {
     const LineKindMask kinds = subject.options.lines;
     return kinds != all_line_kinds ? std::optional{kinds} : std::nullopt;
@@ -337,7 +338,7 @@ Picture Drawer::draw(const Camera& camera, FrameOptions options, bool transparen
     const InUse use{*this, pictures};
     options.lines = asked_kinds(*subject_);
     set_pens(*pictures, options.style);
-    // Colours divided by a small alpha need more than the 8 bits that are left in the end.
+    // Colours are divided by alpha. If alpha is small, that needs more than the result's 8 bits.
     gl::Canvas& target = canvas(*pictures, camera.size, transparent ? 16 : 8);
     target.clear(transparent ? glm::vec4{0} : glm::vec4{options.style.paper.color, 1});
     const FrameStats stats = pictures->renderer.draw(camera, options, target.framebuffer());

@@ -16,33 +16,33 @@
 
 namespace lineatlas::python {
 
-/// The kinds of lines and angles that a model's lines are found with.
+/// A model and its lines, with the options by which the lines were found.
 struct ModelLines {
     std::shared_ptr<const Model> model;
     LineSet lines;
-    LineOptions options{}; ///< that they were found with
+    LineOptions options{}; ///< of the extraction
 };
 
 ModelLines find_lines(std::shared_ptr<const Model> model, const LineOptions& options,
                       const Progress& progress);
 
-/// Intervals, and the lines whose they are.
+/// Intervals, and the lines that they are parts of.
 struct FoundIntervals {
     std::shared_ptr<const ModelLines> subject;
     std::vector<Interval> intervals;
-    std::vector<OutlinePart> outlines; ///< of a style with pens for them
+    std::vector<OutlinePart> outlines; ///< if the style has pens for outlines
 };
 
-/// Pixels from the top left, 4 values each, colour not multiplied by alpha.
+/// A picture of 4 values per pixel, rows from the top. Colours are not multiplied by alpha.
 struct Picture {
     std::vector<std::uint8_t> pixels;
-    std::optional<bool> shows_lines{}; ///< if that is known
+    std::optional<bool> shows_lines{}; ///< nothing if that is not known
 };
 
-/// What draws a model. A renderer with an OpenGL context of its own is made for the first picture,
-/// or for intervals of method atlas; those of method exact need no OpenGL. Calls may come from any
-/// thread and wait for each other; whatever context is current on the thread is again afterwards.
-/// All but its end throw DeviceError in a process that was forked after it was made.
+/// Draws a model. The first picture, and intervals of the method atlas, make a renderer with an
+/// OpenGL context of its own. Intervals of the method exact need no OpenGL. Calls may come from any
+/// thread and wait for each other. The thread's current context is restored after each call. In a
+/// process that was forked after the construction, all calls but the destructor throw DeviceError.
 class Drawer {
   public:
     Drawer(ModelLines subject, const DeviceOptions& device);
@@ -52,34 +52,35 @@ class Drawer {
 
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
-    DeviceOptions device() const; ///< without OpenGL, which is current only during calls
+    DeviceOptions device() const; ///< without a sharing mode, since OpenGL is only current in calls
     std::string description();
-    std::string take_note(); ///< Renderer::note(), once, and again if it is another
+    std::string take_note(); ///< Renderer::note() if it has changed since the last call
 
-    void prepare(const FrameOptions& options, const Progress& progress); ///< as Renderer has it
+    void prepare(const FrameOptions& options,
+                 const Progress& progress); ///< see Renderer::prepare()
     Picture draw(const Camera& camera, FrameOptions options, bool transparent);
-    /// What is visible of the lines, and with `hidden` the rest too.
+    /// The visible intervals of the lines; with `hidden` the hidden ones too.
     FoundIntervals intervals(const Camera& camera, FrameOptions options, bool hidden,
                              const Progress& progress);
-    /// Renderer::pick(), and the lines it is of.
+    /// Renderer::pick(). `of` becomes the lines that the result refers to.
     std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
                              std::shared_ptr<const ModelLines>& of);
 
-    // As Renderer has them; from a new subject on all is as it was made.
+    // See Renderer. A new subject resets all of them.
     void set_transforms(std::vector<glm::mat4> world_from_object);
-    void set_positions(std::span<const glm::vec3> positions); ///< of all of the mesh
+    void set_positions(std::span<const glm::vec3> positions); ///< all positions of the mesh
     void set_hidden(std::vector<std::uint32_t> objects);
 
-    /// Adds a model's objects, found as those of the subject were; gives their numbers. What
-    /// lines refer to of its mesh stands behind that of the models before.
+    /// Adds the objects of a model, with the subject's options for lines, and returns their
+    /// numbers. Positions and triangles of its mesh follow those of earlier models.
     std::vector<std::uint32_t> add(const Model& part, const Progress& progress);
     void remove(std::uint32_t object);
 
-    void close(); ///< gives back all that it holds; later calls throw UsageError
+    void close(); ///< frees everything; later calls throw UsageError
 
   private:
     class InUse;
-    /// What draws pictures.
+    /// The objects that draw pictures.
     struct Pictures {
         gl::HeadlessContext context;
         Renderer renderer;
@@ -88,19 +89,19 @@ class Drawer {
 
         explicit Pictures(const DeviceOptions& device) : renderer(device) {}
     };
-    /// Each is made when it is first needed. The renderer finds all that the other does: with it
-    /// the model need not be on the device twice.
+    /// Each member is made when it is first needed. A renderer replaces LineVisibility, so that the
+    /// model is not on the device twice.
     struct State {
         DeviceOptions device;
-        std::string told{}; ///< of Renderer::note()
+        std::string told{}; ///< the last Renderer::note()
         std::unique_ptr<LineVisibility> visibility{};
         std::unique_ptr<Pictures> pictures{};
     };
 
-    /// What is not as the model was made; empty: nothing.
+    /// The changes to the model as it was made; empty members: no change.
     struct Placement {
         std::vector<glm::vec3> vertices{}; ///< in place of LineSet::vertices
-        Bounds bounds{};                   ///< of these
+        Bounds bounds{};                   ///< of `vertices`
         std::vector<glm::mat4> transforms{};
         std::vector<std::uint32_t> hidden{};
     };
@@ -108,7 +109,7 @@ class Drawer {
     static void place(Renderer& renderer, const Placement& placement);
     void take(Placement next, std::shared_ptr<const ModelLines> moved);
     void start_assembly();
-    /// The assembly has changed: shows it, with these objects where they were made.
+    /// Shows the changed assembly. The objects in `changed` stand where they were made.
     void take_parts(std::shared_ptr<const Model> model, std::span<const std::uint32_t> changed);
 
     std::unique_lock<std::mutex> lock() const;
@@ -118,9 +119,9 @@ class Drawer {
     static gl::Canvas& canvas(Pictures& pictures, glm::ivec2 size, int bits);
 
     mutable std::mutex mutex_;
-    // Callers may read these while they are replaced.
-    std::shared_ptr<const ModelLines> made_;    ///< as it was made
-    std::shared_ptr<const ModelLines> subject_; ///< where it is now
+    // Shared, because callers may still read them when they are replaced.
+    std::shared_ptr<const ModelLines> made_;    ///< the lines as they were made
+    std::shared_ptr<const ModelLines> subject_; ///< the lines at their places of now
     Placement placement_;
     std::optional<Assembly> assembly_; ///< from the first add() or remove() on
     std::unique_ptr<State> state_;

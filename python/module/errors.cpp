@@ -14,7 +14,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// Exception types live as long as the interpreter: their references are never given back.
+/// The exception types. They live as long as the interpreter, so their references are never
+/// released.
 struct ErrorTypes {
     PyObject* error = nullptr;
     PyObject* usage = nullptr;
@@ -34,7 +35,7 @@ PyObject* make_type(py::module_& module, const char* name, const char* doc,
     return type;
 }
 
-/// As arguments are called here.
+/// The Python name of a setting or argument.
 std::string called(const std::string& key) {
     if (key == "tile") return "`lineatlas draw --tile`"; // there is none in Python
     std::string name = key;

@@ -33,9 +33,9 @@ void bind_explode(py::class_<Model, std::shared_ptr<Model>>& mesh) {
     mesh.def(
         "exploded", &exploded, py::arg("factor") = 1.5F, py::kw_only(), py::arg("moves") = Moves{},
         py::arg("trails") = true,
-        "Its parts apart: each stands `factor` times as far from the middle of the assembly\n"
-        "that it is in, 1 to 100. moves: for parts of a name, as \"Bolt*\", what they move by\n"
-        "instead, in the model's unit. trails: lines from where parts belong to where they\n"
+        "The mesh with its parts apart: each stands `factor` times (1 to 100) as far from the\n"
+        "middle of its assembly. moves: distances in the model's unit by which parts of a name\n"
+        "such as \"Bolt*\" move instead. trails: lines from where parts belong to where they\n"
         "are, LineKind.trail.");
 }
 

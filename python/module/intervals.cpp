@@ -5,7 +5,7 @@
 namespace lineatlas::python {
 namespace {
 
-/// The library's 0xFFFFFFFF for none becomes -1.
+/// An index as a signed number: the library's 0xFFFFFFFF (none) becomes -1.
 std::int32_t signed_index(std::uint32_t index) {
     return static_cast<std::int32_t>(index);
 }

@@ -43,7 +43,7 @@ MeshGroup make_group(std::string object, std::string material, const std::option
     return group;
 }
 
-/// Numbers of materials without names: they are named by their numbers.
+/// Adds groups for materials without names. Each gets its number as name.
 void add_numbered_groups(Mesh& mesh, const std::vector<std::uint32_t>& numbers) {
     const float* corner = mesh.positions.empty() ? nullptr : &mesh.positions[0].x;
     const std::uint32_t* index = mesh.triangles.empty() ? nullptr : &mesh.triangles[0].x;
@@ -77,7 +77,7 @@ void add_groups(Mesh& mesh, const py::object& triangle_group, const Groups& grou
     mesh.triangle_group = std::move(numbers);
 }
 
-/// Indices of positions, or points of its own.
+/// Adds a polyline, given by indices of positions or by points.
 void add_polyline(Mesh& mesh, std::vector<glm::dvec3>& positions, py::handle line) {
     if (holds_integers(line)) {
         mesh.polylines.push_back(indices_from(line, "polylines", positions.size()));
@@ -89,7 +89,7 @@ void add_polyline(Mesh& mesh, std::vector<glm::dvec3>& positions, py::handle lin
     positions.insert(positions.end(), points.begin(), points.end());
 }
 
-/// Gives the model its positions, about an origin if they lie far from zero, as files get it.
+/// Sets the positions. If they lie far from zero, the model gets an origin, as models of files do.
 void place(Model& model, std::span<const glm::dvec3> positions) {
     Mesh& mesh = model.mesh;
     ExactBounds bounds;
@@ -104,7 +104,7 @@ void place(Model& model, std::span<const glm::dvec3> positions) {
     model.notes.push_back(note_of_origin(origin));
 }
 
-/// Of positions that came as floats, and got an origin.
+/// Warns that float positions this far from zero lack digits.
 void warn_of_lost_digits(glm::dvec3 origin) {
     const glm::dvec3 distance = glm::abs(origin);
     const auto farthest = static_cast<float>(std::max({distance.x, distance.y, distance.z}));
@@ -114,7 +114,7 @@ void warn_of_lost_digits(glm::dvec3 origin) {
                           step));
 }
 
-/// The names of KnownEdge::Kind, in its order.
+/// The names of KnownEdge::Kind, in the order of the enumeration.
 constexpr std::array known_edge_kinds{"sharp", "smooth", "seam", "free", "wire", "marked"};
 
 void add_known_edges(Mesh& mesh, const EdgesByKind& edges) {
@@ -136,7 +136,7 @@ void add_known_edges(Mesh& mesh, const EdgesByKind& edges) {
     }
 }
 
-/// The other way: the kinds that there are.
+/// The known edges of a model as Python's dictionary, with the kinds that occur.
 py::dict known_edges(const Model& model) {
     std::map<KnownEdge::Kind, std::vector<std::uint32_t>> ends;
     for (const KnownEdge& edge : model.mesh.known_edges)
@@ -150,7 +150,7 @@ py::dict known_edges(const Model& model) {
     return kinds;
 }
 
-/// Numbers of what moves on its own, one each; none: empty.
+/// Numbers of objects, one per element; empty for None.
 std::vector<std::uint32_t> objects_from(const py::object& numbers, const char* name,
                                         std::size_t count) {
     constexpr std::size_t any = std::size_t{1} << 32;
@@ -358,16 +358,16 @@ void bind_mesh(py::module_& module) {
                                "(k, 2) uint32 indices of positions for each kind that there is.")
         .def_property_readonly("notes", &notes,
                                "What was repaired or left out when the file was read.")
-        .def_readonly("origin", &Model::origin,
-                      "What was taken off the positions that were given, or stood in the file: "
-                      "zero, unless\nthey lie so far from zero, compared with their size, that "
-                      "float32 could not hold\nthem there. Points, views and matrices that go with "
-                      "the mesh are about it: given\nplaces less the origin. So is a style's focus "
-                      "in the scene.")
+        .def_readonly(
+            "origin", &Model::origin,
+            "The origin that was subtracted from all positions. It is zero unless these lie so\n"
+            "far from zero, compared with their size, that float32 would lose digits.\n"
+            "Points, views and matrices, and the focus of a style in the scene, are\n"
+            "relative to it.")
         .def_property_readonly(
             "volume", [](const Model& model) { return enclosed_volume(model.mesh); },
-            "What the triangles enclose, in cubes of the unit; negative where they are turned "
-            "inside\nout, None where they are not closed.")
+            "The volume inside the triangles, in cubes of the unit; negative if they are inside "
+            "out,\nNone if they are not closed.")
         .def("__repr__", &describe);
     bind_section(mesh);
     bind_explode(mesh);

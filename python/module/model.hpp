@@ -13,16 +13,16 @@
 
 namespace lineatlas::python {
 
-/// A mesh as Python has it: never changed once it is made, so that arrays may show it and renderers
-/// share it.
+/// The mesh behind Python's Mesh. It never changes, so arrays may refer to it and renderers share
+/// it.
 struct Model {
     Mesh mesh;
-    std::vector<std::string> notes{}; ///< what was repaired when it was read
+    std::vector<std::string> notes{}; ///< repairs made while reading
     std::array<double, 3> origin{};   ///< LoadedMesh::origin
     std::vector<ModelPart> parts{};   ///< LoadedMesh::parts
 };
 
-/// Where a mesh or the name of its file will do.
+/// A mesh, or the path of its file.
 using ModelOrPath = std::variant<std::shared_ptr<Model>, std::filesystem::path>;
 
 using ModelArgument = Argument<ModelOrPath, "model", "a Mesh or the path of a file">;

@@ -9,7 +9,7 @@
 #include "process.hpp"
 #include "progress.hpp"
 
-// What of a renderer's model moves, changes its shape and is hidden.
+// Functions that move, deform and hide parts of a renderer's model.
 namespace lineatlas::python {
 namespace {
 
@@ -62,27 +62,26 @@ py::list objects(Drawer& drawer) {
 void bind_motion(py::class_<Drawer>& renderer) {
     renderer
         .def("set_transforms", &set_transforms, py::arg("world_from_object"),
-             "Moves the objects (separate_objects; else the whole model): an (n, 4, 4) array of\n"
-             "affine matrices, one each, from where they were made. Which edges are creases stays\n"
-             "as it is. What is drawn next shows it; nothing is found anew.")
-        .def(
-            "set_positions", &set_positions, py::arg("positions"),
-            "Gives the mesh other positions, as many as it has and about Mesh.origin as they are:\n"
-            "it bends and stretches, but keeps its triangles and which of its edges are lines.\n"
-            "What is drawn next shows it.")
+             "Moves the objects, or without separate_objects the whole model. Takes an (n, 4, 4)\n"
+             "array of affine matrices, one per object, that apply to the places where objects\n"
+             "were made. The next drawing shows the change. Creases stay as they were found.")
+        .def("set_positions", &set_positions, py::arg("positions"),
+             "Replaces the positions of the mesh: as many as it has, relative to Mesh.origin. The\n"
+             "mesh keeps its triangles, and its lines stay on the same edges. The next drawing\n"
+             "shows the change.")
         .def("hide", &hide, py::arg("objects"),
-             "Shows all objects but these, by their numbers in `objects`; [] shows all. The\n"
-             "others' lines are not drawn and hide nothing.")
+             "Hides these objects, by their numbers in `objects`, and shows all others; [] shows\n"
+             "all. Hidden objects have no lines and hide nothing.")
+        .def("add", &add, py::arg("model"), py::kw_only(), py::arg("progress") = py::none(),
+             "Adds a model with the same options and returns the numbers of its objects. The time\n"
+             "depends on the added model alone. Its positions, triangles and groups are numbered\n"
+             "after those of earlier models. It stands at its right place, even if its origin\n"
+             "differs.")
         .def(
-            "add", &add, py::arg("model"), py::kw_only(), py::arg("progress") = py::none(),
-            "Adds another model, found with the same options, and gives the numbers of its\n"
-            "objects. It costs what it has, not what was there before. Positions, triangles and\n"
-            "groups of its mesh are counted on from those before. Where its origin is another, it\n"
-            "stands beside them as the places say that were given.")
-        .def("remove", &remove, py::arg("object"),
-             "Takes an object out; the others keep their numbers, and add() gives its own again.")
+            "remove", &remove, py::arg("object"),
+            "Removes an object. Other objects keep their numbers; add() may reuse the removed one.")
         .def_property_readonly("objects", &objects,
-                               "Names of what moves on its own; empty without separate_objects.");
+                               "Names of the objects; empty without separate_objects.");
 }
 
 } // namespace lineatlas::python

@@ -23,12 +23,12 @@ std::string python_name(std::string key) {
     return key;
 }
 
-/// Kinds of line belong to the renderer.
+/// True for settings of Options. Kinds of line are arguments of Renderer.
 bool is_option(const FrameSetting& setting) {
     return setting.key != "lines";
 }
 
-/// Of what is None, nothing is set.
+/// Options with the given values. None leaves the default.
 Options make_options(const py::object& method, const py::object& quality, const py::object& probes,
                      const py::object& depth_scale, const py::object& step, const py::object& atlas,
                      const py::object& depth, const py::object& strokes, Flag<"steady"> steady) {

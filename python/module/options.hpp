@@ -13,23 +13,23 @@
 
 namespace lineatlas::python {
 
-/// How visibility is computed; `steady` is off unless it is asked for, since a picture would depend
-/// on those before it.
+/// How visibility is computed. `steady` is off by default, because it makes a picture depend on
+/// earlier ones.
 using Options = FrameSettings;
 
-/// For a picture of pixels or, more exactly, for its lines as paths or intervals.
+/// Options for a picture of pixels, and, more exact, for paths and intervals.
 FrameOptions frame_options(const std::optional<Options>& given, const Style& style);
 FrameOptions path_options(const std::optional<Options>& given, const Style& style,
                           std::array<int, 2> size);
 
-/// "crease,silhouette" or a list of such names; nothing: all.
+/// Kinds as "crease,silhouette" or as a list of names; nothing: all kinds.
 using LineKinds = std::optional<std::variant<std::string, std::vector<std::string>>>;
 using KindsArgument =
     Argument<LineKinds, "lines", "line kinds as \"crease,silhouette\" or as a list">;
-/// Degrees, or "auto".
+/// A crease angle in degrees, or "auto".
 using Crease = std::variant<float, std::string>;
 using CreaseArgument = Argument<Crease, "crease", "degrees or \"auto\"">;
-/// A name of silhouettes_names; nothing: as the tool.
+/// A name of silhouettes_names; nothing: the tool's default.
 using MaybeSilhouettes =
     Argument<std::optional<std::string>, "silhouettes", "\"mesh\", \"smooth\" or \"auto\"">;
 LineOptions line_options(const LineKinds& kinds, const Crease& crease,

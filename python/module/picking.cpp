@@ -5,13 +5,13 @@
 #include "process.hpp"
 #include "views.hpp"
 
-// What is seen at a point of a picture.
+// Finds the line or face at a point of a picture.
 namespace lineatlas::python {
 namespace {
 
 using MaybeIndex = std::optional<std::uint32_t>;
 
-/// A Pick in the terms of the mesh, and of pictures with rows from the top.
+/// A Pick with indices of the mesh and with y from the top of the picture.
 struct PickedPoint {
     MaybeIndex kind{}, segment{}, path{}, triangle{}, group{};
     std::optional<std::array<std::uint32_t, 2>> edge{};
@@ -82,11 +82,13 @@ void bind_picking(py::module_& module, py::class_<Drawer>& renderer) {
         .def_readonly("kind", &PickedPoint::kind, "LineKind of a line; None: it is a face.")
         .def_readonly("segment", &PickedPoint::segment, "As the field of intervals; or None.")
         .def_readonly("path", &PickedPoint::path, "As the field of intervals; or None.")
-        .def_readonly("edge", &PickedPoint::edge,
-                      "Of a line the two positions of the mesh that its edge is between; or None.")
+        .def_readonly(
+            "edge", &PickedPoint::edge,
+            "The two positions of a line's edge, as indices into mesh.positions; or None.")
         .def_readonly("triangle", &PickedPoint::triangle,
-                      "Index into mesh.triangles: of a line one that has the edge; or None.")
-        .def_readonly("group", &PickedPoint::group, "Of that triangle, into mesh.groups; or None.")
+                      "Index into mesh.triangles, for a line of a triangle with its edge; or None.")
+        .def_readonly("group", &PickedPoint::group,
+                      "The group of the triangle, an index into mesh.groups; or None.")
         .def_readonly("object", &PickedPoint::object,
                       "Number in Renderer.objects; 0 where there are none.")
         .def_property_readonly(
@@ -94,7 +96,7 @@ void bind_picking(py::module_& module, py::class_<Drawer>& renderer) {
             [](const PickedPoint& found) {
                 return std::tuple{found.position.x, found.position.y};
             },
-            "Where it is in the picture: pixels from the upper left corner.")
+            "Its place in the picture: pixels from the upper left corner.")
         .def_readonly("distance", &PickedPoint::distance,
                       "Pixels from there to the point asked for; 0 for a face.")
         .def_property_readonly(
@@ -103,9 +105,9 @@ void bind_picking(py::module_& module, py::class_<Drawer>& renderer) {
         .def("__repr__", &describe);
     renderer.def("pick", &pick, py::arg("x"), py::arg("y"), py::arg("radius") = 4.0F, py::kw_only(),
                  py::arg("size") = usual_size, py::arg("view") = py::none(), py::arg("up") = "y",
-                 "What a picture shows at a point, in pixels from its upper left corner: the\n"
-                 "nearest visible line that is no farther than `radius` pixels, or else the face\n"
-                 "there, as a Pick; or None. Needs no picture. size, view, up: as of draw().");
+                 "The nearest visible line within `radius` pixels of a point, or else the face\n"
+                 "there, as a Pick; or None. The point is in pixels from the upper left corner.\n"
+                 "Needs no picture. size, view, up: as of draw().");
 }
 
 } // namespace lineatlas::python

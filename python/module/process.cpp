@@ -16,21 +16,21 @@ namespace py = pybind11;
 
 std::atomic<bool> drivers_entered = false, drivers_lost = false;
 
-// Changed by who has the interpreter's lock, which fork() keeps too.
-std::atomic<int> at_work = 0; ///< Released that live
+// Only threads with the interpreter's lock change these. Python also holds the lock in fork().
+std::atomic<int> at_work = 0; ///< number of Released objects
 std::atomic<bool> ending = false;
 pthread_t ending_thread;
 
 void begin_child() {
     drivers_lost = drivers_lost || drivers_entered;
-    at_work = 0; // only the thread that forked goes on, and that one was in Python
+    at_work = 0; // only the forking thread lives on, and it was in Python code
 }
 
-/// Waits for all calls, and lets other threads begin no more.
+/// Waits for all calls. Other threads cannot begin new ones.
 void end_calls() {
     ending_thread = pthread_self();
     ending = true;
-    const py::gil_scoped_release release; // they need it for their results
+    const py::gil_scoped_release release; // calls need the lock to return
     for (int count = at_work; count > 0; count = at_work) at_work.wait(count);
 }
 

@@ -2,12 +2,12 @@
 
 #include <Python.h>
 
-// What becomes of the drivers, and of calls that are at work, when the process forks or ends.
+// The drivers, and calls at work, when the process forks or ends.
 namespace lineatlas::python {
 
-/// For as long as it lives its thread works without the interpreter's lock, and the interpreter
-/// does not end: it would end the thread in the middle of the library. A daemon thread that begins
-/// one when the interpreter has begun to end stays here for ever, as such threads do in Python.
+/// Releases the interpreter's lock for its lifetime, and lets the interpreter wait with its end:
+/// otherwise the end would kill this thread in the middle of the library. A daemon thread that
+/// makes one while the interpreter ends blocks for ever, as such threads do in Python.
 class Released {
   public:
     Released();
@@ -19,15 +19,14 @@ class Released {
     PyThreadState* state_;
 };
 
-/// Before anything of OpenGL or OpenCL is made or used. Throws DeviceError where the process was
-/// forked from one that had done so: the threads of drivers do not survive that, and whoever waits
-/// for them hangs.
+/// Call this before using OpenGL or OpenCL. Throws DeviceError in a process that was forked from a
+/// process that had called it. Threads of drivers do not survive a fork, so a call would hang.
 void enter_drivers();
 
-/// Whether enter_drivers() throws: what the parent had made can't even be given back.
+/// True if enter_drivers() throws. Then the parent's objects cannot even be released.
 bool has_lost_drivers();
 
-/// Once, with the module: to be told when the process forks and when the interpreter ends.
+/// Registers handlers for forks and for the interpreter's end. Call it once, with the module.
 void watch_process();
 
 } // namespace lineatlas::python

@@ -9,25 +9,26 @@
 
 namespace lineatlas::python {
 
-/// What Python is asked while a call works without the interpreter's lock: whether the person has
-/// pressed Ctrl-C, and a callable, if there is one, with the share that is done.
+/// Asks Python while a call works without the interpreter's lock. It checks for Ctrl-C, and calls a
+/// callable, if one is given, with the share that is done.
 class Asked {
   public:
-    /// Throws TypeError for what is neither None nor callable.
+    /// Throws TypeError unless `callable` is None or callable.
     explicit Asked(pybind11::object callable);
 
     Progress progress();
-    /// After Cancelled: throws what Ctrl-C or the callable has raised, if that was the reason.
+    /// Call it after Cancelled. Rethrows the exception of Ctrl-C or of the callable, if there is
+    /// one.
     void raise() const;
 
   private:
     bool ask(float done);
 
     pybind11::object callable_;
-    PyObject *type_ = nullptr, *value_ = nullptr, *trace_ = nullptr; ///< raised
+    PyObject *type_ = nullptr, *value_ = nullptr, *trace_ = nullptr; ///< the raised exception
 };
 
-/// Works without the interpreter's lock; `action(progress)` gives the result.
+/// Runs `action(progress)` without the interpreter's lock and returns its result.
 template <class Action>
 auto released(const pybind11::object& callable, const Action& action) {
     Asked asked{callable};

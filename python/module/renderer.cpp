@@ -27,12 +27,12 @@ using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
 using MaybeOptions = Argument<std::optional<Options>, "options", "an Options">;
 using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a4\"">;
 
-/// Of a drawing without a line; empty: it has some.
+/// Warns of a drawing without lines. `why` is the reason; empty: the drawing has lines.
 void warn_of_no_line(const std::string& why) {
     if (!why.empty()) warn_user("no line is drawn: " + why);
 }
 
-/// Why a camera shows none of these lines.
+/// The reason why a camera shows none of these lines; empty if it shows some.
 std::string why_blank(const ModelLines& subject, const Camera& camera) {
     const std::string why = why_no_line(subject.lines, subject.options.lines, camera);
     const auto [x, y, z] = subject.model->origin;
@@ -43,7 +43,7 @@ std::string why_blank(const ModelLines& subject, const Camera& camera) {
 
 void warn(const std::string& note) {
     if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), 1) != 0) {
-        throw py::error_already_set(); // where warnings are errors
+        throw py::error_already_set(); // if warnings are errors
     }
 }
 
@@ -126,7 +126,7 @@ py::array intervals(Drawer& drawer, const SizeArgument& size, const MaybeView& v
     return array_of(std::move(rows), {count});
 }
 
-/// The paper of a file that has one.
+/// The paper of a drawing's file.
 struct Paper {
     std::optional<Page> page;
     Length margin;
@@ -137,7 +137,7 @@ Paper paper_of(const std::optional<std::string>& page, const std::string& margin
     return {.page = parse_page(*page), .margin = parse_length(margin, Unit::mm)};
 }
 
-/// The drawing as paths.
+/// The arguments of drawings as paths.
 struct PathArguments {
     const SizeArgument& size;
     const MaybeView& view;
@@ -149,7 +149,7 @@ struct PathArguments {
     const py::object& progress;
 };
 
-/// As text, by `written`, without the interpreter's lock.
+/// A drawing as text by `written`, made without the interpreter's lock.
 template <class Written>
 std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Written& written) {
     FrameOptions frame = path_options(arguments.options, style_of(arguments.style), arguments.size);
@@ -160,9 +160,9 @@ std::string draw_paths(Drawer& drawer, const PathArguments& arguments, const Wri
         of_framing = framed;
         if (const Paper& paper = arguments.paper; paper.page)
             frame.style = style_on_page(frame.style, camera.size, *paper.page, paper.margin);
-        // Hidden ones too: what hides a line may bridge a gap in it.
+        // Hidden intervals are needed too: a stroke may bridge a short one.
         const bool fills = !arguments.plotter && frame.style.fill.mode != FillMode::none;
-        const float found_by = fills ? 0.5F : 1; // share of the time, about
+        const float found_by = fills ? 0.5F : 1; // share of the time, roughly
         const FoundIntervals found =
             drawer.intervals(camera, frame, true, part_of(asked, 0, found_by));
         const LineSet& lines = found.subject->lines;
@@ -326,21 +326,16 @@ void bind_renderer(py::module_& module) {
     py::class_<Drawer> renderer(
         module, "Renderer",
         "Draws a model, or the mesh of a file, as often as wanted.\n\n"
-        "Keep it for several pictures: what is slow is done once. From the first picture on it "
-        "has\n"
-        "an OpenGL context of its own, without a window, and leaves what is current on the thread\n"
-        "as it is; intervals and paths need none. Any thread may call it; calls wait for each\n"
-        "other, and several renderers work at the same time.\n\n"
+        "Keep it for several pictures, because slow work is done once. The first picture makes\n"
+        "an OpenGL context without a window; the thread's own context stays current. Intervals\n"
+        "and paths need no context. Any thread may call it; calls wait for each other, and\n"
+        "several renderers work at the same time.\n\n"
         "lines: kinds of lines to find (LineKind), as \"crease,silhouette\" or a list; none: all.\n"
         "crease: edges bent by more degrees are creases; \"auto\": by more than 28.8, except\n"
-        "noise of scanned or sculpted surfaces and seams. silhouettes: along edges of the\n"
-        "\"mesh\", \"smooth\" by its normals, or \"auto\": smooth where the surface is, as in "
-        "scans;\n"
-        "none: \"auto\" of files with normals of their surfaces, else \"mesh\". separate_objects: "
-        "what\n"
-        "Mesh.triangle_object\n"
-        "or groups of one name hold moves on its own (set_transforms(), hide()). progress: called "
-        "with\n"
+        "noise of scanned or sculpted surfaces and seams. silhouettes: \"mesh\" along edges,\n"
+        "\"smooth\" by normals of the surface, \"auto\" (default) smooth on scans and on surfaces\n"
+        "of STEP, IGES and BREP files. separate_objects: the objects of Mesh.triangle_object, or\n"
+        "groups of one name, can move and hide (set_transforms(), hide()). progress: called with\n"
         "the share that is done, 0 to 1, here and in other methods; Cancelled is raised once it\n"
         "returns False. compute, device, interop: as in `lineatlas draw --help`. one_picture: no\n"
         "driver of OpenCL is started beside a software GL, which takes longer than a picture.");
@@ -357,7 +352,7 @@ void bind_renderer(py::module_& module) {
     renderer
         .def_property_readonly("description", &description,
                                "The backend and device in use, for people.")
-        .def("close", &close, "Gives back all that it holds. As does the end of a `with` block.")
+        .def("close", &close, "Frees everything. The end of a `with` block does the same.")
         .def(
             "__enter__", [](const py::object& self) { return self; }, "For `with`.")
         .def(

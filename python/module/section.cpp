@@ -46,11 +46,11 @@ void bind_section(py::class_<Model, std::shared_ptr<Model>>& mesh) {
     mesh.def(
         "cut", &cut, py::arg("planes"), py::kw_only(), py::arg("spacing") = 0.0F,
         py::arg("angle") = 45.0F, py::arg("hatching") = true,
-        "What planes leave of it, closed and hatched where they cut. planes: \"x=0.3\",\n"
-        "\"-x=50%\" (of the model; - leaves what is beyond), \"1,2,3/0,0,1\" (a point and a\n"
-        "normal, on whose side all goes), or a list of up to six. spacing: between lines of\n"
-        "hatching, in the model's unit; 0: a fortieth of the size of the cut. angle: theirs in\n"
-        "degrees, turned from part to part. Notes say where a cut does not close.");
+        "The mesh cut by planes, with closed and hatched cuts. planes: one or a list of up to\n"
+        "six, such as \"x=0.3\", \"-x=50%\" (of the model; - cuts away smaller coordinates) or\n"
+        "\"1,2,3/0,0,1\" (a point and a normal that points to the removed side). spacing: of\n"
+        "the hatching lines, in the model's unit; 0: a fortieth of the size of the cut. angle:\n"
+        "of these lines in degrees, turned from part to part. Notes name cuts that do not close.");
 }
 
 } // namespace lineatlas::python

@@ -65,13 +65,14 @@ void bind_sequences(py::module_& module) {
         "turntable", &turntable, py::arg("model"), py::arg("frames"), py::kw_only(),
         py::arg("size") = usual_size, py::arg("up") = "y", py::arg("fov") = 40.0F,
         py::arg("projection") = "perspective", py::arg("view") = py::none(),
-        "So many views of one turn around a mesh, or that of a file, which never leaves the\n"
-        "picture: the first as frame() has it, each further on counter-clockwise seen from\n"
+        "Views of one turn around a mesh, or that of a file, which stays in the picture. The\n"
+        "first view is that of frame(); the others follow counter-clockwise, seen from\n"
         "above.");
-    module.def("camera_path", &camera_path, py::arg("keys"),
-               "A view for each whole frame of a camera that moves smoothly through `keys`, a\n"
-               "dictionary of a View for each frame at which it is passed, from the first to the\n"
-               "last. The camera rests between two that are alike.");
+    module.def(
+        "camera_path", &camera_path, py::arg("keys"),
+        "A view for each whole frame, from the first key to the last, of a camera that moves\n"
+        "smoothly. keys: a dictionary of frames and the View at each. The camera rests\n"
+        "between two equal views.");
 }
 
 } // namespace lineatlas::python

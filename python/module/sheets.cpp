@@ -37,7 +37,7 @@ SheetFields fields_of(const std::map<std::string, std::string>& given) {
     return fields;
 }
 
-/// Draws all views of what the drawer has.
+/// Draws all views of the drawer's model on a sheet.
 VectorSheet draw(Drawer& drawer, const SheetOptions& options, const Style& style,
                  std::string& of_framing, const Progress& asked) {
     const std::shared_ptr<const ModelLines> subject = drawer.subject();

@@ -16,14 +16,14 @@ namespace {
 
 namespace py = pybind11;
 
-/// As style files have it, or with "_" for "-".
+/// The key in style files. Python's names may have "_" for "-".
 std::string key_of(std::string name) {
     for (char& letter : name)
         if (letter == '_') letter = '-';
     return name;
 }
 
-/// True or false, one text or several.
+/// A value of a rule's condition: true or false, one text or several.
 std::variant<bool, std::vector<std::string>> match_value(const std::string& key,
                                                          const py::handle& value) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();

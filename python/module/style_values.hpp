@@ -12,14 +12,14 @@
 
 namespace lineatlas::python {
 
-/// Where a style or its name will do.
+/// A style, or its name or path.
 using StyleOrName = std::variant<Style, std::filesystem::path>;
 using BaseArgument = Argument<std::optional<std::filesystem::path>, "base",
                               "the name of a style or the path of a style file">;
 
 Style style_of(const std::optional<StyleOrName>& given);
 
-/// A value of a setting as style files have it; nothing if they have no such values.
+/// A Python object as a value of style files; nothing if style files have no such values.
 std::optional<SettingValue> setting_value(const pybind11::object& value);
 pybind11::object python_value(const SettingValue& value);
 

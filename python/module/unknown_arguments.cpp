@@ -11,16 +11,16 @@ namespace {
 
 namespace py = pybind11;
 
-/// Python has a name for it since version 3.13.
+/// The type of METH_FASTCALL functions with keywords. Python itself names it since version 3.13.
 using FastCall = PyObject* (*)(PyObject*, PyObject* const*, Py_ssize_t, PyObject*);
 
-/// What pybind11 calls every function by: since version 3.0.2 by the second.
+/// pybind11's dispatchers of all functions. Version 3.0.2 and later use the second one.
 PyCFunctionWithKeywords call = nullptr;
 FastCall call_fast = nullptr;
 
 const py::detail::function_record* record_in(PyObject* self) {
     if (self == nullptr) return nullptr;
-#if PYBIND11_VERSION_MAJOR >= 3 // of a type of its own
+#if PYBIND11_VERSION_MAJOR >= 3 // which keeps records in objects of its own type
     return py::detail::function_record_ptr_from_PyObject(self);
 #else
     if (!PyCapsule_CheckExact(self)) return nullptr;
@@ -38,7 +38,7 @@ std::vector<std::string> names_of(const py::detail::function_record& function) {
     return names;
 }
 
-/// The function behind an attribute of the module or of a class; null if it is none of pybind11's.
+/// The function behind an attribute of the module or of a class; null if pybind11 did not make it.
 PyCFunctionObject* function_behind(py::handle attribute) {
     PyObject* object = attribute.ptr();
     if (PyInstanceMethod_Check(object)) object = PyInstanceMethod_GET_FUNCTION(object);
@@ -51,7 +51,7 @@ std::string list_of(const std::vector<std::string>& names) {
     return list.empty() ? "none" : list;
 }
 
-/// What may have been meant by a name; empty if nothing is like it.
+/// The name most similar to an unknown name; empty if none is similar.
 std::string nearest(const std::string& name, const std::vector<std::string>& names) {
     py::list known;
     for (const std::string& each : names) known.append(each);
@@ -59,8 +59,8 @@ std::string nearest(const std::string& name, const std::vector<std::string>& nam
     return like.empty() ? "" : like[0].cast<std::string>();
 }
 
-/// `function` has no such argument: the nearest that it has or that its class is made with, else
-/// all that it has.
+/// The message for an unknown argument. It names the most similar argument of the function or of
+/// its class's constructor; if there is none, all arguments of the function.
 std::string message(const py::detail::function_record& function, const std::string& unknown) {
     const bool makes = std::string_view{function.name} == "__init__";
     const auto name =
@@ -80,8 +80,7 @@ std::string message(const py::detail::function_record& function, const std::stri
     return meant + " of " + function.scope.attr("__name__").cast<std::string>() + "()?";
 }
 
-/// The first name in `named`, a dictionary or a tuple of names, that no argument has; empty if all
-/// are known.
+/// The first unknown name in `named`, a dictionary or a tuple of names; empty if all are known.
 std::string unknown_in(const py::detail::function_record& function, PyObject* named) {
     if (named == nullptr || function.has_kwargs || function.next != nullptr) return {};
     const std::vector<std::string> names = names_of(function);
@@ -92,7 +91,7 @@ std::string unknown_in(const py::detail::function_record& function, PyObject* na
     return {};
 }
 
-/// The result of a call, or its error in words that name the argument.
+/// The result of a call. Replaces an error by one that names the argument.
 PyObject* in_words(PyObject* self, PyObject* named, PyObject* result) {
     const auto* function = record_in(self);
     if (result != nullptr || function == nullptr || PyErr_ExceptionMatches(PyExc_TypeError) == 0)
@@ -104,7 +103,7 @@ PyObject* in_words(PyObject* self, PyObject* named, PyObject* result) {
         const std::string unknown = unknown_in(*function, named);
         if (!unknown.empty()) words = message(*function, unknown);
     } catch (const std::exception&) {
-        words.clear(); // then pybind11's own words are good enough
+        words.clear(); // keeps pybind11's own message
     }
     if (words.empty()) {
         PyErr_Restore(type, value, trace);
@@ -129,7 +128,7 @@ PyCFunction untyped(Call one) {
     return reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(one));
 }
 
-/// Lets a function be called by `own`, and keeps what called it as `before`.
+/// Replaces a function's dispatcher by `own` and stores the old one in `before`.
 template <class Call>
 void replace(PyMethodDef& method, Call own, Call& before) {
     if (method.ml_meth == untyped(own)) return;

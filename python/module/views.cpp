@@ -44,7 +44,7 @@ std::string describe(const View& view) {
                        name_of(view.projection));
 }
 
-/// A row per row; GLM keeps columns.
+/// A matrix from rows; GLM stores columns.
 glm::mat4 matrix_from(const py::object& object, const char* name) {
     const auto rows =
         py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(object);
@@ -94,7 +94,7 @@ View frame_model(const ModelArgument& model, const SizeArgument& size, const UpA
     return framed;
 }
 
-/// Bounds to fit planes to where a model has none.
+/// Bounds for the near and far plane of a camera without a model.
 Bounds around(glm::vec3 point) {
     return {.min = point - 1.0F, .max = point + 1.0F};
 }
@@ -180,7 +180,8 @@ Shot camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis
 void warn_user(const std::string& text) {
     if (text.empty()) return;
     const py::object name = py::reinterpret_borrow<py::object>(PyEval_GetGlobals())["__name__"];
-    const py::ssize_t level = name.equal(py::str("lineatlas")) ? 2 : 1; // from one of its functions
+    const py::ssize_t level =
+        name.equal(py::str("lineatlas")) ? 2 : 1; // called from one of the package's functions
     if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), level) != 0) throw py::error_already_set();
 }
 

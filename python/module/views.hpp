@@ -22,26 +22,26 @@ using SizeArgument = Argument<Size, "size", "two whole numbers, width and height
 using UpArgument = Argument<UpAxis, "up", "\"x\", \"y\", \"z\" or three numbers">;
 
 glm::vec3 up_of(const UpAxis& up);
-/// Only x, y or z will do, as for what frames a model; throws UsageError for others.
+/// The up axis of views that frame a model: x, y or z. Throws UsageError for others.
 glm::vec3 axis_of(const UpAxis& up);
 
-/// The view on `points` from the front; throws UsageError if there are none. `fov` in degrees.
+/// The view on `points` from the front. `fov` is in degrees. Throws UsageError without points.
 View frame(std::span<const glm::vec3> points, Size size, const UpAxis& up, float fov,
            Projection projection = Projection::perspective,
            const std::optional<std::string>& direction = {});
 
-/// A camera, and what Python is to warn of; empty: nothing.
+/// A camera, and the text of a warning; empty: none.
 struct Shot {
     Camera camera;
     std::string note{};
 };
 
-/// The camera of a picture of `size`. `given`: nothing frames the lines.
+/// The camera of a picture of `size`. Without `given` it frames the lines.
 Shot camera_of(const std::optional<ViewOrCamera>& given, Size size, const UpAxis& up,
                const LineSet& lines);
 
-/// Has Python warn at the line that called the package. Throws what Python does where warnings are
-/// errors. Empty: of nothing.
+/// Issues a Python warning at the line that called the package; nothing for an empty text. Throws
+/// Python's exception if warnings are errors.
 void warn_user(const std::string& text);
 
 using MaybeView =

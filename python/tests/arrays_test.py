@@ -32,7 +32,7 @@ class In(unittest.TestCase):
         with self.assertRaises(ValueError):
             positions[0, 0] = 5
         del mesh
-        np.testing.assert_array_equal(positions, CUBE_POSITIONS)  # it keeps the mesh
+        np.testing.assert_array_equal(positions, CUBE_POSITIONS)  # the array keeps the mesh alive
 
     def test_given_arrays_may_change(self) -> None:
         positions = CUBE_POSITIONS.copy()
@@ -200,7 +200,7 @@ class Out(FolderTest):
             kept = first.copy()
             renderer.draw(size=(64, 48), view=lineatlas.View((-4, 3, 5), (0.5, 0.5, 0.5)))
         np.testing.assert_array_equal(first, kept)
-        first[:] = 0  # may be drawn over
+        first[:] = 0  # the array may be written to
 
     def test_saved(self) -> None:
         picture = np.zeros((20, 30, 3), np.uint8)

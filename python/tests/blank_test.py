@@ -29,7 +29,7 @@ class Blank(unittest.TestCase):
             self.assertEqual(dark_share(drawn), 0)
         for warning in found:
             self.assertIs(warning.category, UserWarning)
-            self.assertEqual(warning.filename, __file__)  # where the package was called
+            self.assertEqual(warning.filename, __file__)  # the file that called the package
         return [str(warning.message) for warning in found]
 
     def test_why(self) -> None:

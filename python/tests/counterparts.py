@@ -147,7 +147,7 @@ ELSEWHERE = {
     "SeenLines.*": "Renderer.intervals()", "enclosed_volume()": "Mesh.volume",
 }
 
-# Of each reason the names.
+# Names without a counterpart, by reason.
 NOT_IN_PYTHON = {
     "NumPy does it in a line": """
         Camera.clip_from_world() Bounds.* bounds_of() Mesh.empty() MeshArrays.stride ExactArrays.stride Pixels.* Image.* read_image()""",

@@ -42,7 +42,7 @@ class OfACube(unittest.TestCase):
         edges = {tuple(sorted(edge)) for edge in found["edge"]}
         self.assertEqual(len(found), 9)
         self.assertEqual(len(edges), 9)
-        self.assertFalse(any(0 in edge for edge in edges))  # the corner on the far side
+        self.assertFalse(any(0 in edge for edge in edges))  # 0 is the corner on the far side
 
     def test_pixels_depth_and_sources(self) -> None:
         found = self.find_edges()
@@ -74,7 +74,7 @@ class OfACube(unittest.TestCase):
                 self.find(crease=crease)
         mesh = cube(triangle_group=[0] * 4 + [1] * 8, groups=["a", "b"])
         found = lineatlas.intervals(mesh, size=self.size, view=CUBE_VIEW)
-        self.assertEqual({lineatlas.LineKind.crease}, set(found["kind"]))  # sharp, whatever the colours
+        self.assertEqual({lineatlas.LineKind.crease}, set(found["kind"]))  # sharp edges, whatever the colours
         np.testing.assert_array_equal(found["group"], mesh.triangle_group[found["triangle"]])
 
     def test_only_by_the_atlas(self) -> None:
@@ -96,7 +96,7 @@ class OfAScene(FolderTest):
                     for p in drawing["paths"])
         length = np.linalg.norm(found["q"] - found["p"], axis=1).sum()
         self.assertGreater(drawn, 1000)
-        self.assertAlmostEqual(length / drawn, 1, delta=0.02)  # paths close gaps, drop repeats
+        self.assertAlmostEqual(length / drawn, 1, delta=0.02)  # paths close gaps and drop repeats
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class SmoothSilhouettes(unittest.TestCase):
         return float(np.linalg.norm(found["q"] - found["p"], axis=1).sum())
 
     def test_follow_the_surface(self) -> None:
-        # Seen from 10 away the outline of a ball stands at 0.1 before its middle, sqrt(0.99) about it.
+        # At distance 10 the outline of a ball is a circle 0.1 before its middle, of radius sqrt(0.99).
         radius = np.sqrt(0.99) / 9.9 * 200 / np.tan(np.radians(15))
         with lineatlas.Renderer(ball(), silhouettes="smooth", compute="cpp") as renderer:
             self.assertAlmostEqual(self.length(renderer) / (2 * np.pi * radius), 1, delta=0.002)

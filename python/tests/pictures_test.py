@@ -83,7 +83,7 @@ class AsTheTool(FolderTest):
         run_tool("draw", "--scene", "clevis", "--style", "technical", "--page", "a4", "--margin",
                  "10mm", "--fit-arcs", "-o", self.folder / "tool.dxf")
         theirs = (self.folder / "tool.dxf").read_text()
-        self.assertEqual(dxf, theirs[theirs.index("  0\nSECTION"):])  # comments come first
+        self.assertEqual(dxf, theirs[theirs.index("  0\nSECTION"):])  # without the comments at the start
         self.assertTrue(pdf.startswith(b"%PDF-") and pdf.endswith(b"%%EOF\n"))
         text = inflated(pdf)
         self.assertIn(b"841.889764", text)
@@ -132,7 +132,7 @@ class Views(unittest.TestCase):
             np.testing.assert_array_equal(camera.view, eye_from_world.astype(np.float32))
             difference = np.abs(renderer.draw(size=(200, 200), view=camera).astype(int) - expected)
         self.assertGreater(dark_share(expected), 0.005)
-        self.assertLessEqual(int(difference.max()), 3)  # the same but for rounding
+        self.assertLessEqual(int(difference.max()), 3)  # equal but for rounding
 
     def test_degrees_and_repr(self) -> None:
         view = lineatlas.View((4, 3, 5), np.array([0.5, 0.5, 0.5]), fov=60)

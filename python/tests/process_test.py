@@ -21,7 +21,7 @@ if child == 0:
     except lineatlas.DeviceError as error:
         print(error)
     sys.stdout.flush()
-    os._exit(0)  # as forked processes should end: Mesa 26.1 waits for ever for threads at exit()
+    os._exit(0)  # because exit() of a forked process waits for ever for threads of Mesa 26.1
 print("ended as", os.waitpid(child, 0)[1])
 print("parent", lineatlas.draw(cube(), size=(40, 30)).shape)
 """

@@ -4,7 +4,7 @@ import pathlib
 import re
 
 HEADERS = pathlib.Path(__file__).parents[2] / "host" / "include" / "lineatlas"
-# Written against by those who add a device to the library, which Python can't; and what headers are made of.
+# Headers for new devices, which Python cannot add, and for the headers themselves.
 NOT_FOR_PROGRAMS = {"compute_device.hpp", "export.hpp"}
 
 

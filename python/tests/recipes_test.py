@@ -44,7 +44,7 @@ class Recipes(FolderTest):
     def test_meshio(self) -> None:
         self.need("meshio", "python3-meshio")
         names = self.run_here("meshio")
-        self.assertEqual(len(names["skin"]), 6)  # of the eight faces of two tetrahedra one is within
+        self.assertEqual(len(names["skin"]), 6)  # two tetrahedra have eight faces; the shared one counts twice and is left out
         found = lineatlas.intervals(names["mesh"], view=names["lineatlas"].frame(names["mesh"], up="z"), hidden=True)
         edges = {(tuple(sorted(edge)), lineatlas.LineKind(kind).name)
                  for edge, kind in zip(found["edge"].tolist(), found["kind"])}
@@ -83,7 +83,7 @@ class Recipes(FolderTest):
             self.skipTest("lineatlas-brep is not built (apt install libocct-data-exchange-dev)")
         text = recipe("FreeCAD")
         self.assertTrue(10 <= len(text.splitlines()) <= LONGEST)
-        # The rims of the hole and of the pin, of radius 9 and 5, are seen whole: each once.
+        # The rims of the hole (radius 9) and of the pin (radius 5) are wholly visible and drawn once.
         check = """
 import numpy
 found = lineatlas.intervals(mesh, size=(900, 600), view=view)

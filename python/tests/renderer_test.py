@@ -224,7 +224,7 @@ class Life(unittest.TestCase):
         done = run("cube = support.cube()\n"
                    "for _ in range(3): found = len(lineatlas.intervals(cube))\n"
                    "for _ in range(3): lineatlas.Renderer(cube).draw(size=(40, 30))\n"
-                   "lineatlas.draw(cube, size=(40, 30))  # which asks for none\n"
+                   "lineatlas.draw(cube, size=(40, 30))  # draw() asks for no device\n"
                    "with lineatlas.Renderer(cube, compute='cpp') as r:\n"
                    "    print(r.description, found)\n"
                    "    r.draw(size=(40, 30))\n"

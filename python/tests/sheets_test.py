@@ -24,7 +24,7 @@ class Sheets(FolderTest):
                                       fields={"title": "Clevis"})
             theirs = path.read_text()
             if extension == "dxf":
-                theirs = theirs[theirs.index("  0\nSECTION"):]  # comments come first
+                theirs = theirs[theirs.index("  0\nSECTION"):]  # without the comments at the start
             else:
                 theirs = re.sub("<desc>draw .*?</desc>", "<desc></desc>", theirs)
             self.assertEqual(ours.replace("<desc />", "<desc></desc>"), theirs)

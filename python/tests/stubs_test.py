@@ -130,7 +130,7 @@ class Public(unittest.TestCase):
     def test_functions_take_what_the_renderer_does(self) -> None:
         renderer = functions(classes(STUB)["Renderer"].body)
         made = [p for p in stub_parameters(renderer["__init__"])
-                if p[0] != "one_picture"]  # which they say themselves
+                if p[0] != "one_picture"]  # which these functions set themselves
         for name, node in functions(PUBLIC_STUB.body).items():
             used = [p for p in stub_parameters(renderer[name]) if p[0] != "*" and p not in made]
             self.assertEqual(stub_parameters(node), made + used, name)

@@ -18,7 +18,7 @@ CUBE_POSITIONS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0
 CUBE_TRIANGLES = np.array(
     [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
      [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]], np.uint32)
-# From the side of the corner (1, 1, 1), which three faces share.
+# The corner (1, 1, 1) faces the eye, so three faces are visible.
 CUBE_VIEW = lineatlas.View(eye=(4, 3, 5), target=(0.5, 0.5, 0.5))
 
 

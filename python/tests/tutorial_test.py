@@ -11,7 +11,7 @@ DOCUMENT = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
 
 class Tutorial(FolderTest):
     def test_runs(self) -> None:
-        text = DOCUMENT.read_text(encoding="utf-8").split("\n## Recipes\n")[0]  # recipes_test has the rest
+        text = DOCUMENT.read_text(encoding="utf-8").split("\n## Recipes\n")[0]  # recipes_test runs the recipes
         blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
         self.assertGreaterEqual(len(blocks), 4)
         before = pathlib.Path.cwd()

@@ -1,6 +1,6 @@
-# shellcheck shell=sh disable=SC2154 # $here is set by who reads this
-# Read by the scripts of a bundle, which set $here. Takes the bundle's own C++ library, OpenCL loader
-# or GL dispatchers only where programs do not work with those of the machine: drivers need theirs.
+# shellcheck shell=sh disable=SC2154 # the reading script sets $here
+# Read by the scripts of a bundle, which set $here. Chooses the bundle's own C++ library, OpenCL loader
+# or GL dispatchers only if programs do not work with the machine's, which the machine's drivers need.
 export LINEATLAS_BUNDLE_FALLBACK=""
 machine_paths=${LD_LIBRARY_PATH:-}
 for libraries in "" stdc++; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# That a bundle is closed: verify.sh DIR. Every library that a program or library in it needs is in it
-# or one that the machine brings, and is looked for beside it; none is of those that are too large.
-# Prints the glibc that is needed.
+# Checks that a bundle is complete: verify.sh DIR. Every needed library must be in the bundle and must be
+# looked for there, or belong to every machine. Some large libraries must not be in it. Prints the
+# version of glibc that the bundle needs.
 set -euo pipefail
 target=$1
 failed=0

@@ -47,7 +47,7 @@ class CurveFineness : public Tool {
     mutable std::string said_;
 };
 
-TEST_F(CurveFineness, AQuarterPixelWhateverTheSize) {
+TEST_F(CurveFineness, ChordsAreOffByAQuarterPixelAtAnyPictureSize) {
     for (const int size : {200, 1000, 5000}) {
         const nlohmann::json drawing =
             drawn("--view top --size " + std::to_string(size) + "x" + std::to_string(size));
@@ -57,7 +57,7 @@ TEST_F(CurveFineness, AQuarterPixelWhateverTheSize) {
     }
 }
 
-TEST_F(CurveFineness, AQuarterPixelFromNear) {
+TEST_F(CurveFineness, ChordsAreOffByAQuarterPixelInCloseViews) {
     // Parallel, 40 degrees: it shows a height of 2 tan 20 times the distance.
     constexpr double distance = 0.2, shown = 2 * 0.36397 * distance;
     const std::string near = "--size 1000x1000 --target 1,0,2 --up y --eye 1,0,2.2 ";
@@ -92,7 +92,8 @@ TEST_F(CurveFineness, AViewALittleLargerThanGuessedIsReadOnce) {
     // The guess lets the pin's diagonal fill the picture from corner to corner.
     constexpr double guessed = 500 * std::numbers::sqrt2 / 3.4641016;
     const auto read_for = [&](double scale) {
-        const double distance = 500 / (2 * 0.36397 * scale); // see AQuarterPixelFromNear
+        const double distance =
+            500 / (2 * 0.36397 * scale); // see ChordsAreOffByAQuarterPixelInCloseViews
         const std::string description =
             drawn("--size 500x500 --target 0,0,0 --up y --eye 0,0," + std::to_string(distance))
                 .at("description");
@@ -105,7 +106,7 @@ TEST_F(CurveFineness, AViewALittleLargerThanGuessedIsReadOnce) {
     EXPECT_NEAR(read_for(1.3 * guessed), 1.3 * guessed, 1);
 }
 
-TEST_F(CurveFineness, ALineSaysWhereItEnds) {
+TEST_F(CurveFineness, ANoteTellsWhereTheLimitOfFinenessIsReached) {
     drawn("--size 4000x4000 --target 1,0,2 --up y --eye 1,0,2.001 ");
     EXPECT_NE(said_.find("pixels off in this picture; --deflection"), std::string::npos) << said_;
 }

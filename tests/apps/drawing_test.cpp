@@ -109,7 +109,7 @@ TEST_F(DrawingTest, HiddenLinesHaveLayersOfTheirOwn) {
     }
 }
 
-TEST_F(DrawingTest, PaperAndPlotter) {
+TEST_F(DrawingTest, APlottersDrawingOnPaperHasTheSizeOfThePage) {
     const Result result = run(
         "draw --scene clevis --size 300x200 --page a4 --margin 10mm --plotter -o " + path("p.svg"));
     EXPECT_EQ(result.exit_code, 0) << result.output;
@@ -131,7 +131,7 @@ TEST_F(DrawingTest, WidthsArePapersOnAnyPage) {
     }
 }
 
-TEST_F(DrawingTest, JsonToo) {
+TEST_F(DrawingTest, JsonHasTheKindsOfLines) {
     const Result result = run("draw --scene clevis --size 300x200 -o " + path("c.json"));
     EXPECT_EQ(result.exit_code, 0) << result.output;
     EXPECT_NE(text_of("c.json").find("\"kind\""), std::string::npos);
@@ -149,7 +149,7 @@ TEST_F(DrawingTest, SequencesAreResumed) {
     EXPECT_NE(again.output.find("2 were there already"), std::string::npos) << again.output;
 }
 
-TEST_F(DrawingTest, WrongOptions) {
+TEST_F(DrawingTest, WrongOptionsAreRefusedByName) {
     expect_refused("draw --scene clevis --plotter -o " + path("x.png"), 2, "--plotter");
     expect_refused("draw --scene clevis --dpi 300 -o " + path("x.svg"), 2, "--page");
     expect_refused("draw --scene clevis --page a9 -o " + path("x.svg"), 2, "a9");

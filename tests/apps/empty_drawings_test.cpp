@@ -35,13 +35,13 @@ class EmptyDrawings : public Tool {
 
 const std::string wall_from_the_front = "wall.obj --eye 0,0,9 --target 0,0,0 --fov 20 --lines file";
 
-TEST_F(EmptyDrawings, NoLinesOfTheKind) {
+TEST_F(EmptyDrawings, NamesKindsThatTheModelDoesNotHave) {
     expect_empty(path("t.obj") + " --lines boundary", "the model has none of the kinds boundary");
     expect_empty(path("t.obj") + " --lines crease,file --crease 180",
                  "the model has none of the kinds crease, file; a smaller crease angle finds more");
 }
 
-TEST_F(EmptyDrawings, TheCameraLooksElsewhere) {
+TEST_F(EmptyDrawings, SaysThatTheCameraLooksElsewhere) {
     expect_empty(path("t.obj") + " --eye 3,3,3 --target 9,9,9",
                  "the model lies behind the camera, which looks away from it");
     const std::string beside = "none lies in the part of the model that the camera sees";
@@ -50,12 +50,12 @@ TEST_F(EmptyDrawings, TheCameraLooksElsewhere) {
     expect_empty(path("t.obj") + " --eye 0.2,0.2,0.2 --target 0.25,0.2,0.2 --fov 1", beside);
 }
 
-TEST_F(EmptyDrawings, AllIsHidden) {
+TEST_F(EmptyDrawings, SaysThatAllLinesAreHidden) {
     expect_empty(path(wall_from_the_front),
                  "surfaces hide those in the picture, or the style leaves them out");
 }
 
-TEST_F(EmptyDrawings, EveryMethod) {
+TEST_F(EmptyDrawings, AreToldByEveryMethod) {
     for (const char* method : {"atlas", "item-buffer", "spine", "opengl"}) {
         const std::string option = std::string{" --style technical --method "} + method;
         EXPECT_NE(
@@ -66,7 +66,7 @@ TEST_F(EmptyDrawings, EveryMethod) {
     }
 }
 
-TEST_F(EmptyDrawings, TheFirstOfASequence) {
+TEST_F(EmptyDrawings, ASequenceNamesItsFirstEmptyFrame) {
     const Result result = run("draw " + path("t.obj") + " --size 64x48 --turntable 2 -o " +
                               path("%d.svg") + " --lines boundary");
     EXPECT_EQ(result.exit_code, 0);
@@ -75,7 +75,7 @@ TEST_F(EmptyDrawings, TheFirstOfASequence) {
     EXPECT_NE(result.output.find(wanted), std::string::npos) << result.output;
 }
 
-TEST_F(EmptyDrawings, WhatHasALineIsNotOne) {
+TEST_F(EmptyDrawings, ADrawingWithALineIsNotEmpty) {
     EXPECT_EQ(say(path("t.obj"), "full.png"), "");
     EXPECT_EQ(say(path("t.obj"), "full.svg"), "");
     for (const char* output : {"hidden.png", "hidden.svg"})

@@ -70,7 +70,7 @@ TEST_F(Framing, LeavesOutAStrayLineFarAway) {
     EXPECT_EQ(say(sheet(0, 1, 1) + stray_lines(1), "--eye 0,0,5 --target 0,0,0"), "");
 }
 
-TEST_F(Framing, SaysHowFarMoreOfThemAre) {
+TEST_F(Framing, TellsCountAndPlaceOfSeveralStrayLines) {
     const std::string said = say(sheet(0, 1, 1) + stray_lines(10));
     EXPECT_NE(said.find("10 of "), std::string::npos) << said;
     EXPECT_NE(said.find("the picture is 16."), std::string::npos) << said; // 23.9 over 1.42
@@ -80,13 +80,13 @@ TEST_F(Framing, SaysHowFarMoreOfThemAre) {
     EXPECT_NE(far.find("about 1000000,0.5,0.05"), std::string::npos) << far;
 }
 
-TEST_F(Framing, LeavesOutOnBothSides) {
+TEST_F(Framing, LeavesOutStrayLinesOnBothSides) {
     const std::string said = say(sheet(0, 1, 1) + "v 30 0 0\nv 30 1 0\nv -30 0 0\nv -30 1 0\n"
                                                   "l 442 443\nl 444 445\n");
     EXPECT_NE(said.find("2 of "), std::string::npos) << said;
 }
 
-TEST_F(Framing, NothingIsSaidWithoutOne) {
+TEST_F(Framing, SaysNothingWithoutStrayLines) {
     EXPECT_EQ(say(sheet(0, 1, 1)), "");
     // Two parts of one size far apart, a part that reaches from one to the other, and one that is
     // not far.

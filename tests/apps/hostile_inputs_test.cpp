@@ -122,7 +122,7 @@ Model tube_on_cube() {
     return model;
 }
 
-TEST_F(HostileInputs, WhatTouchesDoesSoAwayFromZero) {
+TEST_F(HostileInputs, PartsThatTouchStillTouchFarFromZero) {
     const Model model = tilted(tube_on_cube());
     for (const MeshType& type : mesh_types()) {
         if (!type.exact) continue;
@@ -195,7 +195,7 @@ TEST_F(HostileInputs, LargeAndConcavePolygons) {
     }
 }
 
-TEST_F(HostileInputs, NoFiles) {
+TEST_F(HostileInputs, FoldersPipesAndBrokenLinksAreRefused) {
     fs::create_directory(path("folder.obj"));
     ::mkfifo(path("pipe.obj").c_str(), 0600);
     fs::create_symlink("/dev/zero", path("zero.obj"));
@@ -228,7 +228,7 @@ TEST_F(HostileInputs, NoFiles) {
     }
 }
 
-TEST_F(HostileInputs, WrongExtensions) {
+TEST_F(HostileInputs, FilesWithWrongExtensionsAreNamed) {
     for (const MeshType& type : mesh_types()) {
         for (const char* extension : {".obj", ".off", ".ply", ".om", ".stl", ".gltf", ""}) {
             if (extension == type.extension) continue;
@@ -239,7 +239,7 @@ TEST_F(HostileInputs, WrongExtensions) {
     }
 }
 
-TEST_F(HostileInputs, Styles) {
+TEST_F(HostileInputs, HostileStylesAreRefusedInOneLine) {
     std::string keys = "a";
     for (int i = 0; i < 50'000; ++i) keys += ".a";
     const std::pair<std::string, std::string> styles[] = {
@@ -267,7 +267,7 @@ TEST_F(HostileInputs, Styles) {
     }
 }
 
-TEST_F(HostileInputs, CameraPaths) {
+TEST_F(HostileInputs, HostileCameraPathsAreRefusedInOneLine) {
     const std::string good = R"("target": [0, 0, 0], "frame": 0)";
     const std::pair<std::string, std::string> paths[] = {
         {std::string(1 << 20, '['), "nested deeper"},

@@ -86,7 +86,7 @@ class HostilePens : public Tool {
     }
 };
 
-TEST_F(HostilePens, Sizes) {
+TEST_F(HostilePens, ImagesOfImpossibleSizeAreRefused) {
     write("bomb.png", png_of_size(60'000, 60'000));
     expect_one_line("bomb.png", "its 60000 x 60000 pixels are more than 2^28");
     write("long.png", png_of_size(1'000'000, 1'000'000));
@@ -101,7 +101,7 @@ TEST_F(HostilePens, Sizes) {
     expect_one_line("promise.png", "");
 }
 
-TEST_F(HostilePens, MemoryAndTime) {
+TEST_F(HostilePens, LimitsOfMemoryAndTimeHoldForImages) {
     write_picture("large.png", {6000, 6000}, 4); // some KB, 144 MB of pixels
     ASSERT_LT(fs::file_size(path("large.png")), 1'000'000U);
     // A sanitizer reserves terabytes, so builds with it have no limit.
@@ -112,7 +112,7 @@ TEST_F(HostilePens, MemoryAndTime) {
                     "--read-seconds 0.001");
 }
 
-TEST_F(HostilePens, Contents) {
+TEST_F(HostilePens, DamagedImagesAreRefused) {
     write_picture("whole.png", {64, 16}, 4);
     std::ifstream file{path("whole.png"), std::ios::binary};
     const std::string whole{std::istreambuf_iterator<char>{file}, {}};
@@ -132,7 +132,7 @@ TEST_F(HostilePens, Contents) {
     }
 }
 
-TEST_F(HostilePens, OddOnesThatAreFine) {
+TEST_F(HostilePens, UnusualImagesAreTaken) {
     write_picture("one.png", {1, 1}, 1);
     write_picture("long.png", {5000, 1}, 3);
     write_picture("grey.png", {30, 10}, 2);

@@ -144,10 +144,11 @@ TEST_F(Models, PartsAreChosenByName) {
     EXPECT_EQ(said("draw " + path("hall.glb") + " -o " + path("a.svg") + " --only 'bolt*'", 2),
               "lineatlas: --only: no part is called \"bolt*\"; there is \"Bolt, left\", "
               "\"Bolt, right\", \"door\"\n");
-    EXPECT_EQ(said("draw " + path("hall.glb") + " -o " + path("a.svg") + " --hide hall", 2),
-              "lineatlas: --only and --hide leave nothing to draw\n");
+    EXPECT_EQ(
+        said("draw " + path("hall.glb") + " -o " + path("a.svg") + " --hide hall", 2),
+        "lineatlas: --only and --hide leave nothing to draw; `lineatlas info` lists the parts\n");
     EXPECT_EQ(said("draw --scene clevis -o " + path("a.svg") + " --hide hall", 2),
-              "lineatlas: --only and --hide are for the parts of a MODEL file\n");
+              "lineatlas: --only and --hide need a MODEL file; `lineatlas scene` writes one\n");
     // Two ways to ask for the same.
     const auto points = [&](const std::string& options) {
         return drawn("hall.glb", options)["paths"];

@@ -95,7 +95,7 @@ TEST_F(PoorSurroundings, AFolderThatOthersCanWriteToIsNotUsed) {
     EXPECT_TRUE(ran_a_kernel(one_kernel(home + path("none") + " POCL_CACHE_DIR=" + path("cold"))));
 }
 
-TEST_F(PoorSurroundings, NoLinker) {
+TEST_F(PoorSurroundings, AMissingLinkerIsNamed) {
     const std::string surroundings =
         "TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("closed");
     const Result result = draw(surroundings);
@@ -115,7 +115,7 @@ TEST_F(PoorSurroundings, NoLinker) {
         one_kernel("TMPDIR=" + path("tmp") + " HOME=" + path("cold") + " PATH=" + path("bin"))));
 }
 
-TEST_F(PoorSurroundings, AnOldDriverOfOpenGl) {
+TEST_F(PoorSurroundings, AnOldDriverOfOpenGlIsNamed) {
     const std::string old = "MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330";
     const Result result = draw(old, "--method atlas");
     EXPECT_EQ(result.exit_code, 1);
@@ -127,7 +127,7 @@ TEST_F(PoorSurroundings, AnOldDriverOfOpenGl) {
     EXPECT_EQ(shell("env " + old + " " LINEATLAS_TOOL + paths).exit_code, 0) << "they do without";
 }
 
-TEST_F(PoorSurroundings, LittleMemory) {
+TEST_F(PoorSurroundings, LittleMemoryEndsInADrawingOrOneLine) {
     if (reader::sanitized) GTEST_SKIP() << "sanitizers reserve terabytes";
     for (const char* limit : {"-v 100000", "-v 300000", "-v 600000", "-v 700000", "-v 800000",
                               "-v 4000000", "-d 20000", "-d 100000", "-d 300000", "-d 2000000"}) {

@@ -171,7 +171,7 @@ TEST_F(SectionDrawings, WhatIsWrongIsSaidInALine) {
     expect_refused(draw + " --section w=1", 2, "as in z=0.3");
     expect_refused(draw + " --section y=1 --hatching thick", 2, "\"thick\"");
     expect_refused(draw + " --section y=1 --hatching 1e-9", 2, "too near");
-    expect_refused(draw + " --hatching 1", 2, "is for --section");
+    expect_refused(draw + " --hatching 1", 2, "--hatching needs --section");
     // An open mesh is drawn, and a message tells that it is open.
     write("open.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
     const Result open = run("draw " + path("open.obj") + " --up y --compute cpp -o " +

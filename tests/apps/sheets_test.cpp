@@ -267,7 +267,7 @@ TEST_F(Sheets, EzdxfFindsNothingWrongWithViewsOnAPage) {
         EXPECT_NE(found.output.find(text), std::string::npos) << text << found.output;
 }
 
-TEST_F(Sheets, AutoSaysWhatAPartIs) {
+TEST_F(Sheets, AutomaticSheetsSummariseThePart) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
                    options);

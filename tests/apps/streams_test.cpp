@@ -69,7 +69,7 @@ TEST_F(Streams, AReaderThatHasSeenEnoughEndsItSilently) {
 }
 
 #ifdef LINEATLAS_BENCH
-TEST_F(Streams, BenchmarksToo) {
+TEST_F(Streams, BenchmarksReportFullOutputToo) {
     const std::string bench = LINEATLAS_BENCH " --modes copy --sizes 1 --rounds 1";
     EXPECT_EQ(exit_code(bench + " 2>/dev/full"), 0);
     const Result full = shell(bench + " 2>&1 >/dev/full");

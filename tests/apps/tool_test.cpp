@@ -33,7 +33,7 @@ TEST_F(Tool, DrawsAScene) {
 }
 
 /// Names from files reach a terminal as letters only, and are no longer than a line.
-TEST_F(Tool, TextIsText) {
+TEST_F(Tool, NamesCannotControlTheTerminal) {
     const std::string hostile = "\x1b]0;title\x07\x1b[2Jred\x7f\xc2\x9b\xff";
     const std::string cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     write("names.obj", "mtllib " + hostile + ".mtl\n" + cube + "o " + hostile + "\nusemtl " +
@@ -135,7 +135,7 @@ TEST_F(Tool, ListsDevicesAndHelps) {
     EXPECT_NE(help.output.find("Examples:"), std::string::npos);
 }
 
-TEST_F(Tool, SaysItsVersionAndWhatIsHere) {
+TEST_F(Tool, TellsItsVersionAndTheStateOfItsParts) {
     const auto state_of = [&](const std::string& part) {
         const Result version = run("--version");
         EXPECT_EQ(version.exit_code, 0);
@@ -317,7 +317,7 @@ TEST_F(Tool, RefusesBadOptions) {
     expect_refused("paint", 2, "paint");
 }
 
-TEST_F(Tool, WritesOtherFormats) {
+TEST_F(Tool, WritesEveryTypeOfPicture) {
     for (const char* name : {"a.jpg", "a.TIF", "a.exr", "a.bmp"}) {
         const Result result = run("draw --scene clevis --size 64x48 -o " + path(name));
         EXPECT_EQ(result.exit_code, 0) << result.output;
@@ -352,7 +352,7 @@ TEST_F(Tool, DrawsBigPicturesByTiles) {
     expect_refused(scene + "-o " + path("x.png") + " --tile 5", 2, "--tile");
 }
 
-TEST_F(Tool, SaysWhereOutlinesAreNotTold) {
+TEST_F(Tool, NamesMethodsThatDoNotFindOutlines) {
     const std::string draw = "draw --scene clevis --size 64x48 -o " + path("x.png");
     const auto says = [&](const std::string& options) {
         const Result result = run(draw + options);

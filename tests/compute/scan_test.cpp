@@ -42,12 +42,12 @@ TEST_P(Scan, AllSizesAroundTilesAndChunks) {
     }
 }
 
-TEST_P(Scan, ZerosAndOnes) {
+TEST_P(Scan, ScansZerosAndOnes) {
     expect_scan(std::vector<std::uint32_t>(100'003, 0));
     expect_scan(std::vector<std::uint32_t>(100'003, 1));
 }
 
-TEST_P(Scan, TotalsAroundTheLargest) {
+TEST_P(Scan, SumsSaturateOrWrapAtTheLargestNumber) {
     expect_scan({UINT32_MAX});
     expect_scan({UINT32_MAX - 1, 1, 0, 0});
     expect_scan({UINT32_MAX - 1, 1, 1, 5});
@@ -57,7 +57,7 @@ TEST_P(Scan, TotalsAroundTheLargest) {
     expect_scan(std::vector<std::uint32_t>(70'001, 61'356));
 }
 
-TEST_P(Scan, WhatIsNumberedIsListed) {
+TEST_P(Scan, CompactsTheIndicesOfOnes) {
     std::uint64_t state = 2;
     for (const std::uint32_t n : {0U, 1U, 65U, 4097U, 100'003U}) {
         std::vector<std::uint32_t> flags, expected;

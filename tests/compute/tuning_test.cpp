@@ -111,7 +111,7 @@ TEST(TuningTable, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(complaint(whole_row), "none");
 }
 
-TEST(Tuning, OfTheKernelFolderIfThatHasATable) {
+TEST(Tuning, TheTableOfTheKernelFolderReplacesTheBuiltInOne) {
     const std::uint32_t built_in = compute::tuning_for(a_gpu).local_size;
     const TemporaryFolder folder;
     const EnvironmentVariable kernels{"LINEATLAS_KERNEL_DIR", folder.path().string()};
@@ -121,7 +121,7 @@ TEST(Tuning, OfTheKernelFolderIfThatHasATable) {
     EXPECT_EQ(compute::tuning_for(a_gpu).local_size, 7U);
 }
 
-TEST(Tuning, FormsOfTheBuiltInTable) {
+TEST(Tuning, TheBuiltInTableScansInChunksOnCpusAndTilesOnGpus) {
     EXPECT_FALSE(compute::tuning_for(a_cpu).scan_tiles);
     EXPECT_TRUE(compute::tuning_for(a_gpu).scan_tiles);
 }

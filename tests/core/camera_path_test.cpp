@@ -87,7 +87,7 @@ TEST(CameraPath, OfOneKeyStandsStill) {
     EXPECT_EQ(path.view(3).eye, glm::vec3(1, 2, 3));
 }
 
-TEST(CameraPath, RefusesKeysThatAreNone) {
+TEST(CameraPath, RefusesKeysOutOfOrderOrRange) {
     for (const Keys& keys : {Keys{}, Keys{{1, {}}, {1, {}}}, Keys{{2, {}}, {1, {}}},
                              Keys{{1e7, {}}}, Keys{{not_a_number, {}}}})
         EXPECT_THROW(CameraPath{keys}, UsageError) << keys.size();

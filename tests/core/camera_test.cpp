@@ -310,7 +310,7 @@ TEST(FramePoints, StaysAwayFromATipThatPointsAtTheEye) {
     }
 }
 
-TEST(BoundsOf, TakesWhatTrianglesAndPolylinesUse) {
+TEST(BoundsOf, HoldPositionsThatTrianglesAndPolylinesUse) {
     Mesh mesh;
     mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 4}, {-9, 0, 0}};
     mesh.triangles = {{1, 2, 3}};
@@ -327,7 +327,7 @@ glm::vec2 pixel(const Camera& camera, glm::vec3 point) {
     return (glm::vec2{device_position(camera, point)} + 1.0F) * 0.5F * glm::vec2{camera.size};
 }
 
-TEST(Orthographic, WhatIsEquallyLongLooksSoNearOrFar) {
+TEST(Orthographic, LengthsDoNotDependOnDistance) {
     View view = usual;
     view.projection = Projection::orthographic;
     const Camera camera = make_camera(view, {800, 400}, unit_box);
@@ -422,7 +422,7 @@ TEST(ViewDirection, SidesLieAsADraughtsmanPutsThem) {
     expect("0,30", y, {0, 0.5F, std::sqrt(0.75F)}, y);
 }
 
-TEST(ViewDirection, WhatIsNoneIsRefused) {
+TEST(ViewDirection, RefusesUnknownDirections) {
     for (const char* name : {"", "fron", "30", "30,", "30,91", "nan,0", "30,20,1", "30;20"}) {
         EXPECT_THROW(view_direction(name, {0, 1, 0}), UsageError) << name;
     }

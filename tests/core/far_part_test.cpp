@@ -48,7 +48,7 @@ TEST(FarPart, SpecksAreLeftOutThatWouldPushTheModelAside) {
     EXPECT_NE(framing_of(speck).note.find("1 of "), std::string::npos);
 }
 
-TEST(FarPart, WhatOneMayWantToSeeStays) {
+TEST(FarPart, LargeOrNearPartsStay) {
     EXPECT_FALSE(find_far_part(with_line(40, 2, 0.5F))) << "no speck";
     EXPECT_FALSE(find_far_part(with_line(40, 1.3F, 0.001F))) << "not far";
     EXPECT_FALSE(find_far_part(with_line(10, 2, 0.001F))) << "one of few";

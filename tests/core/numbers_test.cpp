@@ -9,7 +9,7 @@
 namespace lineatlas::test {
 namespace {
 
-TEST(Numbers, AreCutOffTheTextTheyBegin) {
+TEST(Numbers, AreTakenFromTheStartOfAText) {
     std::string_view text = "1.5e1mm";
     EXPECT_EQ(take_number(text), 15);
     EXPECT_EQ(text, "mm");
@@ -20,7 +20,7 @@ TEST(Numbers, AreCutOffTheTextTheyBegin) {
     EXPECT_EQ(text, ",8");
 }
 
-TEST(Numbers, AreTheWholeTextOrNone) {
+TEST(Numbers, FillTheWholeTextOrAreRefused) {
     EXPECT_EQ(number_from("+2.5"), 2.5);
     EXPECT_EQ(number_from("1e400"), std::nullopt);
     EXPECT_TRUE(std::isnan(*number_from("nan")));

@@ -67,7 +67,7 @@ TEST(Parallel, AsksBetweenPieces) {
     EXPECT_EQ(asked, 2) << "nobody asks any more";
 }
 
-TEST(Parallel, DoesBoth) {
+TEST(Parallel, BothActionsRun) {
     int one = 0, other = 0;
     do_both([&] { one = 1; }, [&] { other = 2; });
     EXPECT_EQ(one, 1);
@@ -102,7 +102,7 @@ TEST(Parallel, GroupsHaveWhatWasAdded) {
     }
 }
 
-TEST(Parallel, VertexPairsFindWhatLiesBetween) {
+TEST(Parallel, VertexPairsFindItemsByTheirTwoVertices) {
     constexpr std::uint32_t count = 100000, vertices = 300;
     const auto ends_of = [](std::size_t i) -> std::optional<glm::uvec2> {
         const auto item = static_cast<std::uint32_t>(i);

@@ -35,7 +35,7 @@ TEST(Volume, OfABoxInsideOutIsNegative) {
     EXPECT_NEAR(*enclosed_volume(box), -1, 1e-9);
 }
 
-TEST(Volume, OfWhatIsOpenIsNone) {
+TEST(Volume, OfAnOpenMeshIsUnknown) {
     Mesh box = loose_box({0, 0, 0}, {1, 1, 1});
     std::swap(box.triangles[3].y, box.triangles[3].z); // one triangle is turned
     EXPECT_FALSE(enclosed_volume(box));
@@ -46,7 +46,7 @@ TEST(Volume, OfWhatIsOpenIsNone) {
     EXPECT_FALSE(enclosed_volume(Mesh{}));
 }
 
-TEST(Volume, ZeroHasOnePlaceWhateverItsSign) {
+TEST(Volume, MinusZeroIsZero) {
     Mesh box = loose_box({0, 0, 0}, {1, 1, 1});
     for (std::size_t i = 0; i < box.positions.size(); i += 2)
         for (int axis = 0; axis < 3; ++axis)

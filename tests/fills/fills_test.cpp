@@ -107,7 +107,7 @@ TEST(Fills, BordersOfNeighboursAreTheSame) {
     EXPECT_NEAR(around, 4 * 8 * 20, 1e-3);
 }
 
-TEST(Fills, WhatPassesThroughEachOtherHasItsBorderThere) {
+TEST(Fills, IntersectingPartsShareABorder) {
     Mesh mesh = cube();
     mesh.triangle_group.assign(mesh.triangles.size(), 0);
     mesh.groups = {{.object = "cube", .material = {}}};
@@ -148,7 +148,7 @@ TEST(Fills, FromWithinARoomAllOfThePictureIsFilled) {
 }
 
 /// Also before and behind the stages of visibility.
-TEST(Fills, CanBeStoppedWheneverTheyTellTheirProgress) {
+TEST(Fills, StopAtEveryCallOfProgress) {
     const LineSet lines = extract_lines(cube());
     std::vector<float> shares;
     find_fills(lines, plan(), flat, {}, [&](float done) {

@@ -123,7 +123,7 @@ TEST_F(Brep, ACircleHas24ChordsAtLeast) {
 
 // Watson's algorithm takes time and memory by the square of the number of holes in a face: 330 MB
 // for these.
-TEST_F(Brep, ManyHolesTakeLittle) {
+TEST_F(Brep, AFaceWithManyHolesNeedsLittleMemory) {
     constexpr int side = 20;
     const fs::path path = folder_ / "plate.brep";
     std::ofstream(path) << to_brep(perforated_plate(side));
@@ -242,7 +242,7 @@ TEST_F(Brep, NormalsAreThoseOfTheSurface) {
                     [&](glm::vec3 place, glm::vec3 normal) { expect_round(place, -normal); });
 }
 
-TEST_F(Brep, SmoothSilhouettesTakeThem) {
+TEST_F(Brep, SmoothSilhouettesUseTheSurfacesNormals) {
     const Mesh mesh = load("a.brep", to_brep(BRepPrimAPI_MakeCone(2, 1, 3).Shape())).mesh;
     const LineSet lines = extract_lines(mesh, {.silhouettes = Silhouettes::smooth});
     const float slope = 1 / std::sqrt(10.0F);
@@ -415,7 +415,7 @@ TEST_F(Brep, InchesBecomeMillimetres) {
     EXPECT_EQ(loaded.notes[0], "its lengths in inch are drawn in millimetres");
 }
 
-TEST_F(Brep, WhatIsNoneIsRefused) {
+TEST_F(Brep, OtherContentIsRefused) {
     for (const char* name : {"a.step", "a.brep"}) {
         EXPECT_FALSE(is_read(name, "v 0 0 0\nf 1 1 1\n"));
         EXPECT_FALSE(is_read(name, std::string(100'000, '(')));

@@ -81,7 +81,7 @@ TEST_F(DamagedModels, TheyAreReadOrRefusedInOneLine) {
     EXPECT_TRUE(crashes > 0 || reader::sanitized);
 }
 
-TEST_F(DamagedModels, LimitsAreThoseOfTheOptions) {
+TEST_F(DamagedModels, OptionsLimitTimeAndMemory) {
     const fs::path pin = sound_models().front();
     EXPECT_NE(message(pin, {.read_seconds = 0.001}).find("LoadOptions::read_seconds allows more"),
               std::string::npos);

@@ -209,7 +209,7 @@ TEST_F(Gltf, SparseValuesTakeTheirPlaces) {
     EXPECT_EQ(bounds_of(load("a.glb", to_glb(json, bytes)).mesh).max, glm::vec3(3));
 }
 
-TEST_F(Gltf, QuantizedPositionsAreNumbers) {
+TEST_F(Gltf, QuantizedPositionsAreScaledBack) {
     std::vector<std::uint8_t> corners;
     for (const float number : cube_corners()) corners.push_back(number > 0 ? 255 : 0);
     const std::string bytes = GltfBytes{}.add(corners).add(cube_triangles()).bytes();
@@ -380,7 +380,7 @@ TEST_F(Gltf, RequiredExtensionsAreRefusedByName) {
               "it requires the extension XY_shape, which is not supported");
 }
 
-TEST_F(Gltf, TypesMayBeMixedUp) {
+TEST_F(Gltf, ContentCountsIfTheExtensionIsWrong) {
     const std::string glb = to_glb(cube_json(R"([{"mesh":0}])"), cube_bytes());
     EXPECT_EQ(load("a.gltf", glb).mesh.triangles.size(), 12U);
     EXPECT_EQ(refusal("a.obj", glb), "it holds a mesh of type .glb; give it that extension");
@@ -435,7 +435,7 @@ TEST_F(Gltf, HostileNumbersAreRefused) {
         {R"([{"mesh":0}])", R"([{"mesh":0,"children":[0]}])", "is part of itself"},
         {R"([{"mesh":0}])", R"([{"children":[1]},{"children":[0]}])", "is part of itself"},
         {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1]}])", "no list of 3 numbers"},
-        {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1,"x"]}])", "something else than numbers"},
+        {R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1,1,"x"]}])", "must hold numbers alone"},
         {R"([{"mesh":0}])", R"({"mesh":0})", "are no list"},
         {R"([{"mesh":0}])", R"([7])", "is no object"},
         {R"("primitives":[)", R"("primitives":[[],)", "is no object"},
@@ -452,7 +452,7 @@ TEST_F(Gltf, HostileNumbersAreRefused) {
     }
 }
 
-TEST_F(Gltf, NumbersThatAreNoneAreRefused) {
+TEST_F(Gltf, PositionsThatAreNotFiniteAreRefused) {
     std::string bytes = cube_bytes();
     for (std::size_t i = 0; i < 96; ++i) bytes[i] = '\xFF';
     EXPECT_NE(refusal("a.glb", to_glb(cube_json(R"([{"mesh":0}])"), bytes)).find("finite"),

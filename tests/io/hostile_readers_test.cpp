@@ -456,7 +456,7 @@ void use(LoadedMesh& loaded) {
     keep_parts(loaded.mesh, paths, std::vector<bool>(paths.paths.size(), true), true);
 }
 
-TEST_F(HostileReaders, AreBelievedWhatAFileCouldHold) {
+TEST_F(HostileReaders, AreOnlyBelievedAnswersThatAFileCouldGive) {
     const std::string nonsense =
         "its reader gave an answer that makes no sense; the file is damaged or hostile";
     for (const Answer& each : answers) {
@@ -481,7 +481,7 @@ TEST_F(HostileReaders, ThatStopTalkingAreNotWaitedFor) {
         EXPECT_EQ(refusal(way, {}), mute) << way;
 }
 
-TEST_F(HostileReaders, TakeNoMoreOfThisProcessThanTheyMayHaveThemselves) {
+TEST_F(HostileReaders, CannotFillThisProcessBeyondTheirOwnLimit) {
     if (reader::sanitized) GTEST_SKIP() << "sanitizers keep what is freed";
     const ReadLimits limits{.memory = std::uint64_t{64} << 20U, .time = 20s};
     const auto held = [] {
@@ -497,7 +497,7 @@ TEST_F(HostileReaders, TakeNoMoreOfThisProcessThanTheyMayHaveThemselves) {
     }
 }
 
-TEST_F(HostileReaders, HaveTheirTimeForWhatIsReceivedToo) {
+TEST_F(HostileReaders, AreTimedWhileTheirAnswerArrives) {
     const ReadLimits limits{.memory = 0, .time = 300ms};
     EXPECT_EQ(refusal("drips", limits),
               "reading it took more than 0.3 s; LoadOptions::read_seconds allows more");

@@ -144,7 +144,7 @@ TEST_F(Iges, InchesBecomeMillimetres) {
     EXPECT_EQ(loaded.notes[0], "its lengths in inches are drawn in millimetres");
 }
 
-TEST_F(Iges, WhatIsNoneIsRefused) {
+TEST_F(Iges, OtherContentIsRefused) {
     const std::string s(72, ' '), end = "S0000001T      1\n";
     EXPECT_FALSE(is_read("a.iges", "v 0 0 0\nf 1 1 1\n"));
     EXPECT_FALSE(is_read("a.iges", std::string(100'000, '(')));

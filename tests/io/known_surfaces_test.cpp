@@ -108,7 +108,7 @@ class KnownSurfacesOfFiles : public Brep {
     }
 };
 
-TEST_F(KnownSurfacesOfFiles, SimpleOnes) {
+TEST_F(KnownSurfacesOfFiles, CylindersConesSpheresAndTori) {
     const gp_Ax2 aslant(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 2));
     check(BRepPrimAPI_MakeCylinder(aslant, 2, 5).Shape());
     check(BRepPrimAPI_MakeCone(aslant, 2, 0, 5).Shape());
@@ -117,7 +117,7 @@ TEST_F(KnownSurfacesOfFiles, SimpleOnes) {
     check(BRepPrimAPI_MakeTorus(aslant, 4, 1).Shape());
 }
 
-TEST_F(KnownSurfacesOfFiles, SplinesAndWhatIsMadeOfThem) {
+TEST_F(KnownSurfacesOfFiles, SplinesAndSweptSurfaces) {
     check(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(4, 1).Shape()).Shape());
     check(
         face(new Geom_SurfaceOfRevolution(wave(), gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))), 3, 1));
@@ -152,7 +152,7 @@ SurfaceShape net() {
             .poles = std::vector<glm::dvec4>(6, {1, 2, 3, 1})};
 }
 
-TEST(KnownSurfaces, OnesThatCannotBeEvaluatedAreRefused) {
+TEST(KnownSurfaces, SurfacesThatCannotBeEvaluatedAreRefused) {
     const auto sound = [](const SurfaceShape& shape) {
         return is_sound(
             {.shapes = {shape}, .surfaces = {{}}, .of_triangle = {0}, .parameters = {{}}}, 1);

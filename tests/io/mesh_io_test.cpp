@@ -33,7 +33,7 @@ TEST_F(MeshIo, PlyEncodingsAgree) {
     }
 }
 
-TEST_F(MeshIo, PlyWithOtherTypesListsAndNan) {
+TEST_F(MeshIo, PlyWithUnknownElementsOddTypesAndNan) {
     const LoadedMesh loaded =
         load("odd.ply",
              "ply\r\nformat ascii 1.0\r\nelement camera 1\r\nproperty list int float m\r\n"
@@ -110,7 +110,7 @@ TEST_F(MeshIo, StlBinaryAndAscii) {
     EXPECT_EQ(ascii.triangles.size(), 1U);
 }
 
-TEST_F(MeshIo, StlMayEndInTwoWordsOrNone) {
+TEST_F(MeshIo, StlEndsWithEndSolidInTwoWordsOrWithANote) {
     const std::string facet = "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
                               "0\nvertex 0 1 0\nEnd Loop\nend\nfacet\n";
     const LoadedMesh two_words = load("a.stl", facet + "end solid x\n");
@@ -196,7 +196,7 @@ TEST_F(MeshIo, OffWithCommentsColoursAndCountsBesideTheKeyword) {
     EXPECT_EQ(nan.notes.size(), 1U);
 }
 
-TEST_F(MeshIo, OffWithBlanksBeforeAndCountsWithoutOneBehindTheKeyword) {
+TEST_F(MeshIo, OffWithBlanksBeforeAndCountsDirectlyBehindTheKeyword) {
     const std::string rest = " 1 0 # comment\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     for (const char* begin : {" \t OFF3", "\n\n OFF 3", "COFF3", "  3"})
         EXPECT_EQ(load("a.off", begin + rest).mesh.triangles.size(), 1U) << begin;

@@ -9,7 +9,7 @@
 namespace lineatlas::test {
 namespace {
 
-TEST(ModuleFile, OneThatWasNotBuiltIsNotToBeInstalled) {
+TEST(ModuleFile, AModuleThatWasNotBuiltNamesTheLibraryToBuildIt) {
     constexpr ModuleFile module{.name = "lineatlas-nothing",
                                 .purpose = "which reads nothing",
                                 .library = "libnothing",

@@ -221,7 +221,7 @@ TEST_F(Reading, SaysHowTheProcessEnded) {
     EXPECT_EQ(message("talk"), "its reader ended unexpectedly with code 0") << "only one text came";
 }
 
-TEST_F(Reading, TakesNoLongerThanItMay) {
+TEST_F(Reading, EndsAtTheLimitOfTime) {
     const ReadLimits limits{.memory = 0, .time = 200ms};
     const std::string late =
         "reading it took more than 0.2 s; LoadOptions::read_seconds allows more";
@@ -229,7 +229,7 @@ TEST_F(Reading, TakesNoLongerThanItMay) {
         EXPECT_EQ(message(kind, limits), late) << kind;
 }
 
-TEST_F(Reading, TakesNoMoreMemoryThanItMay) {
+TEST_F(Reading, EndsAtTheLimitOfMemory) {
     if (reader::sanitized) GTEST_SKIP() << "sanitizers reserve terabytes";
     const ReadLimits limits{.memory = 64 << 20, .time = {}};
     const std::string large =
@@ -238,7 +238,7 @@ TEST_F(Reading, TakesNoMoreMemoryThanItMay) {
         EXPECT_EQ(message(kind, limits), large) << kind;
 }
 
-TEST_F(Reading, BelievesNoNonsense) {
+TEST_F(Reading, RefusesImpossibleAnswers) {
     const std::string nonsense =
         "its reader gave an answer that makes no sense; the file is damaged or hostile";
     EXPECT_EQ(message("talk_nonsense"), nonsense);
@@ -304,7 +304,7 @@ TEST_F(Reading, GivesPicturesTheSameWhateverTheirSize) {
     EXPECT_EQ(given.time, 7s);
 }
 
-TEST_F(Reading, GivesLargerFilesMore) {
+TEST_F(Reading, GivesLargerFilesMoreTimeAndMemory) {
     const ReadLimits small = limits_for(100, {}), large = limits_for(130'000'000, {});
     EXPECT_EQ(small.time, 60s);
     EXPECT_EQ(large.time, 190s);

@@ -92,8 +92,10 @@ TEST_F(ThreeMf, UnitsAreThoseOfTheSpecification) {
     EXPECT_EQ(unit(R"(unit="centimeter")"), 10);
     EXPECT_EQ(unit(R"(unit="foot")"), 304.8);
     EXPECT_EQ(unit(R"(unit="meter")"), 1000);
-    EXPECT_EQ(cause_of_model(cube_object(1, "a"), one_item, R"(unit="furlong")"),
-              "its unit of length is none that 3MF has");
+    EXPECT_EQ(
+        cause_of_model(cube_object(1, "a"), one_item, R"(unit="furlong")"),
+        "its unit of length is unknown; 3MF has micron, millimeter, centimeter, inch, foot and "
+        "meter");
 }
 
 TEST_F(ThreeMf, ComponentsAreATreeOfPlacedParts) {

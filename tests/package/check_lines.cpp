@@ -1,6 +1,6 @@
-// Checks that a picture of 'clevis' has its lines at the right places: check_lines PICTURE.ppm T. T
-// is the camera's place on its path. Any program may have drawn the picture, with dark lines on a
-// bright ground.
+// Checks that a picture of the built-in scene clevis has its lines at the right places. Usage:
+// check_lines PICTURE.ppm T. T is the camera's place on its path. Any program may have drawn the
+// picture, with dark lines on a bright ground.
 
 #include <cstdint>
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace lineatlas {
 namespace {
 
 constexpr int dark = 100;       ///< every channel of a dark pixel is lower
-constexpr int reach = 4;        ///< pixels from a visible line within which dark is fine
+constexpr int reach = 4;        ///< dark pixels may be this many pixels from a visible line
 constexpr float end_margin = 3; ///< pixels at either end of a visible line that need not be dark
 constexpr double least_drawn = 0.99;
 constexpr double most_stray = 0.0002;

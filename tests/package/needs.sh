@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Nobody needs the libraries of a component that is not used: needs.sh FOLDER
+# Checks that each library only needs the libraries of its own component: needs.sh FOLDER
 set -euo pipefail
 
 status=0
@@ -19,6 +19,6 @@ refuse "$1/liblineatlas-headless.so" "GL|GLX|glfw|X11|wayland-.*" 'OpenMesh.*' '
 refuse "$1/liblineatlas-io.so" "$window_systems" 'OpenImageIO.*|png16' OpenCL 'TK.*' 'draco|meshoptimizer'
 refuse "$1/lineatlas/lineatlas-png.so" 'OpenImageIO.*'
 for library in "$1"/liblineatlas*.so "$1"/lineatlas/lineatlas-{images,png}.so; do refuse "$library" 'embree.*'; done
-# Those for contexts and for files need the library itself, beside them.
+# The libraries for contexts and for files find the main library beside them.
 if LD_LIBRARY_PATH=$1 ldd "$1"/liblineatlas*.so | grep "not found"; then status=1; fi
 exit "$status"

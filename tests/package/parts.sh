@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What configuring says of a part whose library is taken away: parts.sh SOURCES
+# Checks the messages of configuring if the library of a part is missing: parts.sh SOURCES
 set -euo pipefail
 sources=$1
 build=$(mktemp -d)

@@ -1,4 +1,4 @@
-# The first program in README.md, as it stands there: cmake -DREADME=... -DFOLDER=... -DGENERATOR=... -DPREFIX=... -P readme.cmake
+# Builds the first program of README.md as it stands there: cmake -DREADME=... -DFOLDER=... -DGENERATOR=... -DPREFIX=... -P readme.cmake
 file(READ ${README} text)
 function(paste language start file)
     string(FIND "${text}" "```${language}\n${start}" begin)

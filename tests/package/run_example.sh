@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Runs an example in the folder where it is built and looks at what it gives:
+# Runs an example in the folder where it was built and checks its output:
 # run_example.sh NAME [PROGRAM...]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 example=$1
 shift
 
-# A picture that has no lines, or has them elsewhere, must not pass: else the checker is blind.
+# The checker must refuse a picture without lines, and one with shifted lines.
 check_checker() { # CHECK_LINES PICTURE T
     head -c "$(wc -c <"$2")" /dev/zero | tr '\0' '\377' >white.ppm
     dd if="$2" of=white.ppm bs=15 count=1 conv=notrunc status=none
-    # Six pixels to the left.
+    # All pixels six to the left.
     { head -c 15 "$2"; tail -c +34 "$2"; head -c 18 /dev/zero; } >shifted.ppm
     local wrong
     for wrong in white.ppm shifted.ppm; do
@@ -55,13 +55,13 @@ headless) # LINEATLAS
     ;;
 intervals)
     ./intervals >intervals.txt
-    # Seen from (4, 5, 8), the far edges of the front box at z = -1 hide what is at x < 2/3 and y < 5/9
-    # on two edges of the other one.
+    # Seen from (4, 5, 8), the far edges of the front box at z = -1 hide two edges of the other box, one at
+    # x < 2/3 and one at y < 5/9.
     expect 1 '^edge 12-13: visible from 0[.]66[0-9]+ -1 -2 to 1 -1 -2$' intervals.txt
     expect 1 '^edge 14-12: visible from -1 1 -2 to -1 0[.]55[0-9]+ -2$' intervals.txt
     expect 1 '^edge 2-3: visible from -1 1 -1 to 1 1 -1$' intervals.txt
     expect 1 '^edge 8-10: hidden from -1 -1 -4 to -1 1 -4$' intervals.txt
-    # Without any OpenCL driver the library does it by itself, and says so.
+    # Without an OpenCL driver the library takes `cpp` and says so.
     OCL_ICD_VENDORS=/nonexistent ./intervals >without_opencl.txt 2>note.txt
     expect 1 '^no OpenCL device was found' note.txt
     expect 1 '^edge 12-13: visible from 0[.]66[0-9]+ -1 -2 to 1 -1 -2$' without_opencl.txt
@@ -77,7 +77,7 @@ turntable)
         echo "nothing turns" >&2
         exit 1
     fi
-    # Stopped on its way it says so, and leaves no drawing that is not whole.
+    # A stopped program says so and leaves only complete drawings.
     rm turn.*.svg
     ./turntable 100000 2>messages.txt &
     until [ -e turn.1.svg ]; do sleep 0.05; done

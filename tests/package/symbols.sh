@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares what the shared libraries in a folder export with the lists in tests/package/symbols:
-# symbols.sh FOLDER, or symbols.sh FOLDER --update to write them anew.
+# Compares the exported symbols of the shared libraries in a folder with the lists in
+# tests/package/symbols: symbols.sh FOLDER. With --update it writes the lists anew.
 set -euo pipefail
 lists=$(dirname "$0")/symbols
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# walk.sh PAGE TOOL KERNELS: runs every block of commands in PAGE (docs/profiling.md) by the program
-# TOOL, with KERNELS as the folder that is installed as /usr/share/lineatlas/kernels and its own as
-# /usr/bin. Every line of the block of output below them must be among what they print, whatever its
-# numbers and what they are judged by; but for those of perf, which are of chance. The house stands
-# for the ship, three frames and twelve turns for many: these take long. Watching ends after 20 s.
+# walk.sh PAGE TOOL KERNELS: runs every block of commands in PAGE (docs/profiling.md) with the program
+# TOOL. KERNELS replaces the folder /usr/share/lineatlas/kernels, and TOOL's folder replaces /usr/bin.
+# If a block of output follows, the commands must print each of its lines, with any numbers and
+# verdicts. Output of perf is random and not compared. To save time the house replaces the ship, and
+# three frames and twelve turns replace more. Watching ends after 20 s.
 set -euo pipefail
 
 page=$(realpath "$1") tool=$(realpath "$2") kernels=$(realpath "$3")
@@ -14,7 +14,7 @@ ln -s "$tool" "$folder/bin/lineatlas"
 PATH=$folder/bin:$PATH
 cd "$folder"
 
-# N.sh and, if the page shows what it prints, N.txt, without the indentation of lists.
+# Writes each block to N.sh and its output, if the page shows it, to N.txt, without the indentation of lists.
 awk '/^ *```sh$/ { file = ++n ".sh"; next }
      /^ *```$/ && file { close(file); last = file; file = ""; next }
      /^ *```$/ && last { sub("sh", "txt", last); file = last; last = ""; match($0, /^ */); indent = RLENGTH; next }
@@ -40,7 +40,7 @@ for block in $(printf '%s\n' *.sh | sort -n); do
     fi
     start=$SECONDS
     bash -euo pipefail "$block" >printed 2>&1 || case $? in
-    124 | 141) ;; # of timeout, of a pipe that was read in part
+    124 | 141) ;; # ended by timeout, or by a pipe that was not read to its end
     *) cat printed && exit 1 ;;
     esac
     echo "walk: $((SECONDS - start)) s: $what"

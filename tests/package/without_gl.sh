@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Paths and intervals on a machine without GL, EGL and OpenCL, not even their loaders: in a root
-# folder that holds the programs, and of the libraries that they are linked to all but those.
+# Paths and intervals on a machine without GL, EGL and OpenCL, even without their loaders. The machine is
+# a root folder with the programs and their libraries, without libraries of GL, EGL and OpenCL.
 # without_gl.sh PREFIX programs FIRST_PROGRAM COMPILER
 # without_gl.sh PREFIX python PYTHON PACKAGE_FOLDER
 set -euo pipefail
@@ -15,7 +15,7 @@ mkdir "$root/tmp" "$root/proc" "$root/dev"
 : >"$root/dev/null"
 own=(unshare --mount)
 if ((EUID != 0)); then own+=(--user --map-root-user); fi
-# Processes that read files start by /proc. All that is mounted goes with the last process.
+# Readers, the processes that read files, start by /proc. The mounts end with the last process.
 # shellcheck disable=SC2016 # the inner shell's
 enter() { # PROGRAM ARG...
     "${own[@]}" sh -ec 'root=$0
@@ -67,12 +67,12 @@ test_programs() { # FIRST_PROGRAM COMPILER
     local first=$1 compiler=$2 library
     add "$prefix/bin/lineatlas" "$first"
 
-    # What is linked to one of them does not start: else this test sees nothing.
+    # A program linked to one of these libraries must not start, otherwise this test proves nothing.
     for library in OpenCL EGL; do
         echo 'int main() {}' | "$compiler" -x c++ - -o "$root/linked" -Wl,--no-as-needed "-l$library"
         if enter /linked 2>/dev/null; then fail "a program linked to lib$library starts"; fi
     done
-    # And what needs them says so.
+    # Features that need these libraries say so.
     refusal 'there is no libEGL[.]so[.]1' -o /cube.svg --method atlas
     refusal 'no OpenCL device was found [(]libOpenCL[.]so[.]1: ' -o /cube.svg --compute opencl
 

@@ -89,7 +89,7 @@ TEST(KernelProfile, RatesAreOfEachLaunch) {
 }
 
 /// A device that counts may divide a kernel's work into launches in another way.
-TEST(KernelProfile, OtherwiseEachHasAnEqualPart) {
+TEST(KernelProfile, LaunchesOfOtherCountsShareBytesEqually) {
     std::vector<LaunchCounts> three = counts();
     three.push_back({"scan", 100'000, 1000});
     const std::vector<KernelTime> all = kernel_times(frames(), three, roofs);
@@ -97,7 +97,7 @@ TEST(KernelProfile, OtherwiseEachHasAnEqualPart) {
     EXPECT_EQ(kernel(all, "scan", "scan").operations, 3000);
 }
 
-TEST(KernelProfile, SaysWhy) {
+TEST(KernelProfile, NamesTheLimitOfEachKernel) {
     const std::vector<KernelTime> all = kernel_times(frames(), counts(), roofs);
     EXPECT_EQ(kernel(all, "atlas", "atlas").bound, Bound::arithmetic); // 86 of 100
     EXPECT_EQ(kernel(all, "chain", "scan").bound, Bound::memory);      // 8 of 10
@@ -112,7 +112,7 @@ TEST(KernelProfile, SaysWhy) {
     EXPECT_TRUE(kernel_times({}, counts(), roofs).empty());
 }
 
-TEST(KernelProfile, Outputs) {
+TEST(KernelProfile, WritesTheTableAndTheCsv) {
     const std::vector<KernelTime> all = kernel_times(frames(), counts(), roofs);
     const std::string table = kernel_table(all, roofs);
     const std::vector<std::string> row{"chain",  "scan",  "11",    "0.0100", "0.0100",

@@ -335,7 +335,7 @@ TEST_F(Profiles, PassesOnOneFramebufferAreToldApart) {
     EXPECT_GT(most, 0.3 * least) << "the first pass got the time of both";
 }
 
-TEST(StageShares, AMomentBelongsToWhoWorks) {
+TEST(StageShares, OverlappingWorkIsCountedOnce) {
     using enum ProfileTrack;
     const FrameProfile frame{.start = 100,
                              .end = 200,
@@ -392,7 +392,7 @@ TEST_F(Profiles, AFrameThatFailsLeavesNothingBehind) {
     EXPECT_EQ(profile(renderer, 2).size(), 2U);
 }
 
-TEST_F(Profiles, EveryMethodHasOne) {
+TEST_F(Profiles, EveryMethodIsProfiled) {
     options_.style.fill.mode = FillMode::lambert;
     options_.style.paper.grain = 0.3F;
     options_.style.hidden = true;

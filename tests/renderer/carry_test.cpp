@@ -138,7 +138,7 @@ TEST_F(Carry, AStillPictureStaysTheSame) {
     EXPECT_GT(compared, before.size() / 2);
 }
 
-TEST_F(Carry, PlainPensPayNothing) {
+TEST_F(Carry, PlainPensNeedNoMemoryForCarrying) {
     Renderer renderer;
     renderer.set_lines(lines_);
     const auto bytes = [&](const FrameOptions& options) {

@@ -124,7 +124,7 @@ class AppDepth : public testing::TestWithParam<DepthCase> {
 
 /// Every kind of depth from a program shows the same lines as a depth of floats by the frame's own
 /// camera. (The renderer's own depth hides more of them, because the renderer knows its triangles:
-/// see ItHidesLessThanTheRenderersOwn.)
+/// see TheProgramsDepthHidesLessThanTheRenderersOwn.)
 TEST_P(AppDepth, HidesWhatPlainDepthHides) {
     const DepthSetup& setup = GetParam().setup;
     const LineSet& lines = scene_lines("house");
@@ -191,7 +191,7 @@ TEST(AppDepthCompatibility, ATextureDrawsTheSamePicture) {
 }
 
 /// A depth buffer alone cannot tell whether a surface just before a line is the line's own.
-TEST(AppDepthAlone, ItHidesLessThanTheRenderersOwn) {
+TEST(AppDepthAlone, TheProgramsDepthHidesLessThanTheRenderersOwn) {
     const gl::HeadlessContext context;
     const LineSet& lines = scene_lines("house");
     Renderer renderer;
@@ -338,7 +338,7 @@ TEST_F(Embedding, APictureInAViewportIsThePictureAlone) {
     }
 }
 
-TEST_F(Embedding, AFramebufferThatIsNoneIsRefused) {
+TEST_F(Embedding, AnUnknownFramebufferIsRefused) {
     EXPECT_THROW(renderer_.draw(camera(), {}, 4711), UsageError);
 }
 

@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(, GlState,
 
 class GlStateDump : public testing::TestWithParam<Profile> {};
 
-TEST_P(GlStateDump, SeesWhatChanges) {
+TEST_P(GlStateDump, SeesChangedState) {
     const Context context{GetParam()};
     const auto before = dump_state();
     glLineWidth(1.5F);
@@ -187,7 +187,7 @@ void expect_refused(const std::function<void()>& call, const std::string& part) 
     }
 }
 
-TEST(GlStateCompatibility, WhereNothingIsDrawnCallsAreRefused) {
+TEST(GlStateCompatibility, CallsAreRefusedInContextsThatCannotDraw) {
     const CompatibilityContext context;
     Renderer renderer;
     const LineSet& lines = scene_lines("house");

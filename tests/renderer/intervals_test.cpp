@@ -231,7 +231,7 @@ TEST_P(IntervalsTest, AFrameNeedNotBeDrawn) {
     }
 }
 
-TEST_P(IntervalsTest, NoneWithoutAsking) {
+TEST_P(IntervalsTest, IntervalsThatWereNotKeptCannotBeRead) {
     const LineSet& lines = scene_lines("clevis");
     const Camera camera = scene_cameras("clevis")[0].camera;
     renderer_.set_lines(lines);

@@ -47,7 +47,7 @@ TEST_F(LayerTest, PremultipliedPixelsLieOverThePicture) {
     EXPECT_EQ(lowest[3], (Pixel{200, 100, 50, 255})) << "beside the layer";
 }
 
-TEST_F(LayerTest, OnlyItsPartIsDrawnEachPixelInItsPlace) {
+TEST_F(LayerTest, ThePartIsDrawnPixelByPixelAndNothingElse) {
     constexpr glm::ivec2 size{47, 29}, origin{5, 3};
     std::vector<Pixel> pixels;
     for (int y = 0; y < size.y; ++y) {

@@ -180,7 +180,7 @@ class Limits : public FaultFixture {
     int drawn_ = 0, tiled_ = 0, refused_ = 0, went_on_ = 0;
 };
 
-TEST_P(Limits, OfABufferAreSaidOrPassed) {
+TEST_P(Limits, OfABuffersSizeAreWorkedAroundOrNamed) {
     for (const LargeFrame& frame : large_frames()) {
         shrink(opencl_faults().largest_buffer, 7600 * kib, 400 * kib, frame, 2.0 / 3);
         if (HasFailure()) return;
@@ -372,7 +372,7 @@ TEST_P(Chunks, AreCutAnewForAnotherDevice) {
     }
 }
 
-TEST_P(Chunks, AreNotForWhatNeedsAllLinesAtOnce) {
+TEST_P(Chunks, AreRefusedForEffectsThatNeedAllLinesAtOnce) {
     use({"house", {160, 120}, {}});
     opencl_faults().largest_buffer = small_buffer;
     const std::unique_ptr<Renderer> renderer = make_renderer();
@@ -395,7 +395,7 @@ TEST_P(Chunks, AreNotForWhatNeedsAllLinesAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, Chunks, testing::Values("copy", "host-pointer"), mode_name);
 
-TEST_P(Limits, OfADevicesMemoryAreSaidOrPassed) {
+TEST_P(Limits, OfADevicesMemoryAreWorkedAroundOrNamed) {
     for (const LargeFrame& frame : some_frames()) {
         shrink(opencl_faults().memory, 8192 * kib, 400 * kib, frame, 0.75);
         if (HasFailure()) return;
@@ -406,7 +406,7 @@ TEST_P(Limits, OfADevicesMemoryAreSaidOrPassed) {
     expect_said({&purpose::strokes, &purpose::depth});
 }
 
-TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
+TEST_P(Limits, ThatADriverDoesNotTellAreNamed) {
     for (const bool memory : {false, true}) {
         opencl_faults().says_limits = false;
         std::uint64_t& limit = memory ? opencl_faults().memory : opencl_faults().largest_buffer;
@@ -420,7 +420,7 @@ TEST_P(Limits, ThatADriverKeepsToItselfAreSaid) {
     expect_said({&purpose::strokes, &purpose::depth});
 }
 
-TEST_P(Limits, OfWorkGroupsArePassed) {
+TEST_P(Limits, OfWorkGroupsAreWorkedAround) {
     for (const LargeFrame& frame : some_frames()) {
         const Picture expected = use(frame);
         for (const std::size_t group : {48, 1}) {
@@ -455,7 +455,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Limits, testing::Values("copy", "host-pointer"),
 /// Limits of GL, which do not depend on the mode.
 class GlLimits : public Limits {};
 
-TEST_P(GlLimits, OfMemoryAreSaid) {
+TEST_P(GlLimits, OfMemoryAreNamed) {
     for (const LargeFrame& frame : some_frames()) {
         shrink(gl_faults().largest_allocation, 16384 * kib, 400 * kib, frame);
         if (HasFailure()) return;
@@ -466,7 +466,7 @@ TEST_P(GlLimits, OfMemoryAreSaid) {
 }
 
 /// The renderer exists before the limit, so that objects of a frame are too large, not its own.
-TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
+TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreNamed) {
     for (const LargeFrame& frame : large_frames()) {
         const Picture expected = use(frame);
         const long live = gl_faults().live;
@@ -487,7 +487,7 @@ TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreSaid) {
         {&purpose::atlas, &purpose::depth, &purpose::item_buffer, &purpose::spine, &purpose::pen});
 }
 
-TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
+TEST_P(GlLimits, OfTheSidesOfTexturesAreWorkedAroundOrNamed) {
     FrameOptions effects = all_effects(Method::atlas);
     effects.intervals = KeptIntervals::none; // intervals need depth that tiles lack
     effects.style.pen.mark = "solid";        // others are textures of 1024 texels
@@ -505,7 +505,7 @@ TEST_P(GlLimits, OfTheSidesOfTexturesAreSaidOrPassed) {
     expect_said({&purpose::whole_picture, &purpose::depth});
 }
 
-TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
+TEST_P(GlLimits, OfBufferTexturesAreWorkedAroundOrNamed) {
     for (const LargeFrame& frame : large_frames()) {
         shrink(gl_faults().largest_buffer_texture, 1U << 20U, 4096, frame);
         if (HasFailure()) return;
@@ -525,7 +525,7 @@ TEST_P(GlLimits, OfBufferTexturesAreSaidOrPassed) {
 }
 
 /// A hardware GL draws the atlas. If the atlas has too many rows for GL, kernels draw it.
-TEST_P(GlLimits, OfTheAtlasInRasterArePassedByKernels) {
+TEST_P(GlLimits, OfTheAtlasInRasterAreWorkedAroundByKernels) {
     FrameOptions options{.depth_scale = 1, .step = 1, .cull_hidden = false, .steady = false};
     options.forms.depth = StageForm::raster;   // `automatic` depends on the GL
     options.forms.strokes = StageForm::raster; // the same
@@ -556,7 +556,7 @@ TEST(ModelLimits, AreWhatGlCanCount) {
     }
 }
 
-TEST(Messages, NameSizesAsPeopleDo) {
+TEST(Messages, NameSizesInKibAndMib) {
     EXPECT_EQ(written_bytes(512), "512 bytes");
     EXPECT_EQ(written_bytes(1536), "1.50 KiB");
     EXPECT_EQ(written_bytes(200 * kib * kib), "200 MiB");

@@ -125,7 +125,7 @@ TEST_P(SamePicture, OpenClEqualsReference) {
     }
 }
 
-TEST_P(SamePicture, ExactIsTheAtlasButForWhatThatGetsWrong) {
+TEST_P(SamePicture, ExactDrawsTheAtlasesPictureButForItsErrors) {
     // The atlas draws a line that lies less than two pixels behind the surface that hides it.
     Renderer r = renderer({});
     compare_each(r, {.method = Method::exact}, r, {}, [](const Drawn& exact, const Drawn& atlas) {

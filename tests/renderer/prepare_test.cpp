@@ -123,7 +123,7 @@ TEST_P(Prepare, NoFrameBuildsWhatWasPrepared) {
     }
 }
 
-TEST_P(Prepare, NorDoesOneOfAVeryLargeModel) {
+TEST_P(Prepare, NoFrameOfALargeModelBuildsWhatWasPrepared) {
     Random random{7};
     const LineSet lines = extract_lines(height_field(random, 220, 1));
     for (const StageForm form : {StageForm::compute, StageForm::raster}) {

@@ -56,7 +56,7 @@ class Temporal : public testing::Test {
     const Scene scene_ = make_scene("house");
 };
 
-TEST_F(Temporal, HalvesWhatChangesInSlowMotion) {
+TEST_F(Temporal, ReducesChangesInSlowMotionByTwoFifths) {
     const double plain = mean_change(false);
     EXPECT_GT(plain, 0.5);
     EXPECT_LT(mean_change(true), 0.6 * plain);

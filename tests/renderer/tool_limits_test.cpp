@@ -41,7 +41,7 @@ ToolRun run_tool(const std::string& limits, const std::string& arguments,
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said, file.str()};
 }
 
-TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
+TEST(LimitsOfTheTool, AreWorkedAroundByTilesOrNamedInOneLine) {
     for (const char* method : {" --method atlas", ""}) { // whose depth would take 31 MB; exact
         const ToolRun drawn = run_tool("LINEATLAS_TEST_BUFFER=2000000",
                                        std::string{"--scene clevis --size 1600x1200"} + method);
@@ -54,7 +54,7 @@ TEST(LimitsOfTheTool, ArePassedByTilesOrEndItWithOneLine) {
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
 }
 
-TEST(LimitsOfTheTool, ArePassedByChunksOfTheSegments) {
+TEST(LimitsOfTheTool, AreWorkedAroundByChunksOfSegments) {
     for (const std::string extension : {".png", ".svg"}) {
         const std::string house = "--scene house --size 160x120 --method atlas --depth-scale 1";
         const ToolRun whole = run_tool("", house, extension);
@@ -85,7 +85,7 @@ std::string write_rings() {
     return name;
 }
 
-TEST(LimitsOfTheTool, ArePassedByChunksWithNoGlToo) {
+TEST(LimitsOfTheTool, AreWorkedAroundByChunksWithoutGl) {
     const std::string rings = write_rings(), drawing = rings + " --size 400x300";
     const ToolRun whole = run_tool("", drawing, ".svg");
     const ToolRun cut = run_tool("LINEATLAS_TEST_BUFFER=1000000", drawing, ".svg"); // 13 chunks

@@ -158,7 +158,7 @@ TEST(Sections, NormalsOfTheSurfaceAreCutToo) {
     EXPECT_GT(of_cut, 60U);
 }
 
-TEST(Sections, AnyDirection) {
+TEST(Sections, CutsInAnyDirectionGiveTwoClosedHalves) {
     test::Random random{11};
     const Mesh mesh = sphere(4);
     const double whole = volume(mesh);
@@ -234,7 +234,7 @@ Mesh blocks(test::Random& random, int size) {
     return mesh;
 }
 
-TEST(Sections, WhatIsClosedClosesWhereverThePlaneGoes) {
+TEST(Sections, ClosedMeshesStayClosedWhereverThePlaneCuts) {
     test::Random random{29};
     int cuts = 0;
     for (int round = 0; round < 60; ++round) {
@@ -263,7 +263,7 @@ TEST(Sections, WhatIsClosedClosesWhereverThePlaneGoes) {
     EXPECT_GT(cuts, 40);
 }
 
-TEST(Sections, CornersOfOnePlaceButForTheirRounding) {
+TEST(Sections, CornersThatDifferByRoundingAreJoined) {
     // As from exporters, every triangle has its own corners, which differ slightly from those of
     // its neighbours.
     test::Random random{31};

@@ -75,7 +75,7 @@ TEST(FrameSettings, NamesStandInTheOrderOfTheEnumerators) {
     EXPECT_EQ(with({{"atlas", "auto"}}).rest.forms.atlas, StageForm::automatic);
 }
 
-TEST(FrameSettings, WhatIsNotSaidIsThatOfFrameOptions) {
+TEST(FrameSettings, DefaultsAreThoseOfFrameOptions) {
     const FrameOptions options = FrameSettings{}.for_pixels(), usual;
     EXPECT_EQ(options.probes, usual.probes);
     EXPECT_EQ(options.depth_scale, usual.depth_scale);
@@ -103,7 +103,7 @@ TEST(FrameSettings, TheMethodIsExactButForSequencesAndWhereSamplesAreAskedFor) {
     EXPECT_FALSE(with({{"method", "auto"}}).method.has_value());
 }
 
-TEST(FrameSettings, QualityIsOverruledByWhatIsSaid) {
+TEST(FrameSettings, GivenNumbersOverruleTheQuality) {
     const FrameOptions low = with({{"quality", "low"}}).for_pixels();
     EXPECT_EQ(low.probes, 1U);
     EXPECT_EQ(low.depth_scale, 1);

@@ -420,7 +420,7 @@ TEST_F(StyleFiles, AStyleSurvivesBeingWritten) {
     EXPECT_EQ(list_styles()[0].description, "Mine: \"so\" \\ \t.");
 }
 
-TEST_F(StyleFiles, TomlTypes) {
+TEST_F(StyleFiles, EveryTypeOfTomlIsRead) {
     const Style style = load_style(file("types.toml", "width = 3\n"
                                                       "opacity = 0.5\n"
                                                       "hidden = true\n"
@@ -488,7 +488,7 @@ TEST_F(StyleFiles, AnErrorInAnIncludedFileNamesThatFile) {
     }
 }
 
-TEST_F(StyleFiles, CirclesAreRefused) {
+TEST_F(StyleFiles, CirclesOfIncludesAreRefused) {
     expect_refused("include = \"bad.toml\"\n", {"line 1", "circle"});
     file("a.toml", "include = \"./b.toml\"\n");
     file("b.toml", "width = 1\ninclude = \"sub/../a.toml\"\n");
@@ -512,7 +512,7 @@ std::string refusal_of(const std::string& path) {
     return "no error";
 }
 
-TEST_F(StyleFiles, IncludesAreSoDeepAndSoMany) {
+TEST_F(StyleFiles, IncludesHaveLimitsOfDepthAndNumber) {
     const auto link = [&](int from, int to) {
         file(std::to_string(from) + ".toml",
              to < 0 ? "width = 7\n" : "include = \"./" + std::to_string(to) + ".toml\"\n");
@@ -536,7 +536,7 @@ TEST_F(StyleFiles, IncludesAreSoDeepAndSoMany) {
     EXPECT_NE(more.find("more than 100 files"), more.npos) << more;
 }
 
-TEST_F(StyleFiles, FilesThatIncludeEachOtherTenfoldEnd) {
+TEST_F(StyleFiles, ManyRepeatedIncludesAreRefused) {
     for (int i = 0; i < 10; ++i) {
         std::string text = "include = [";
         for (int k = 0; i < 9 && k < 10; ++k) text += "\"./" + std::to_string(i + 1) + ".toml\",";

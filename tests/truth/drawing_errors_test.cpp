@@ -76,7 +76,7 @@ TEST_F(DrawingErrorsTest, OfALineOnlyWhatIsInThePictureCounts) {
     EXPECT_NEAR(errors.false_pixels(), truth_.size().x - 4 - 1, 1);
 }
 
-TEST_F(DrawingErrorsTest, SeesWhatTheOldRuleExcused) {
+TEST_F(DrawingErrorsTest, SeesLinesLessThanTwoPixelsBehindAFace) {
     // The drawing shows a part that is less than two pixels behind a panel.
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
@@ -105,14 +105,14 @@ TEST_F(DrawingErrorsFarTest, SeesWhatIsSurelyWrong) {
     EXPECT_GT(compare_strictly(truth_, drawn).hidden, 0.5);
 }
 
-TEST_F(DrawingErrorsTest, AVisibleLineBesideItExcusesNothingStrictly) {
+TEST_F(DrawingErrorsTest, AVisibleLineBesideAHiddenPieceDoesNotExcuseItStrictly) {
     std::vector<DrawnPiece> drawn = right();
     drawn[0].to.x = 300;
     drawn.push_back({{200, 150.4}, {300, 150.4}}); // as a part of another line
     EXPECT_NEAR(compare_strictly(truth_, drawn).hidden, 100, 0.5);
 }
 
-TEST_F(DrawingErrorsTest, HeedsItsReach) {
+TEST_F(DrawingErrorsTest, ToleratesErrorsWithinItsReachAlone) {
     std::vector<DrawnPiece> drawn = right();
     for (DrawnPiece& piece : drawn) {
         piece.from += glm::dvec2{1, 1};

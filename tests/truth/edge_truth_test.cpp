@@ -141,7 +141,7 @@ TEST(EdgeTruth, CoincidentFacesDoNotHide) {
     }
 }
 
-TEST(EdgeTruth, ContactIsATenthOfWhatWouldHideTooLittle) {
+TEST(EdgeTruth, TenTimesTheContactHidesTooLittle) {
     Mesh mesh;
     const float extent = 18 * std::sqrt(2.0F);
     add_panel(mesh, {-9, -9}, {9, 9}, 4e-6F * extent);

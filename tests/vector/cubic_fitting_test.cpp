@@ -114,7 +114,7 @@ VectorDrawing bent_line() {
     return drawing;
 }
 
-TEST(Cubics, LeaveAsSuch) {
+TEST(Cubics, AreWrittenAsCurves) {
     const VectorDrawing drawing = bent_line();
     const std::string svg = to_svg(drawing, {});
     EXPECT_NE(svg.find("m10 10c10 20 40 30 60 10h20"), svg.npos) << svg;

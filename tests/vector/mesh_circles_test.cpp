@@ -127,7 +127,7 @@ TEST(MeshCircles, CornersAreOnTheCircle) {
     }
 }
 
-TEST(MeshCircles, OtherCurvesAreNone) {
+TEST(MeshCircles, EllipsesSpiralsAndHelicesAreNoCircles) {
     for (const double ratio : {0.5, 0.9, 0.98})
         for (const int sides : {48, 120, 500})
             EXPECT_TRUE(MeshCircles{lines_of(ring(sides, {40, 0, 0}, {0, 40 * ratio, 0}), true).set}

@@ -48,7 +48,7 @@ TEST(Arcs, ARoundPolygonIsACircle) {
     EXPECT_EQ(fit_arcs(turned).points[0].bulge, -1);
 }
 
-TEST(Arcs, APolygonWithCornersIsNone) {
+TEST(Arcs, APolygonWithCornersIsNoCircle) {
     for (const int sides : {3, 4, 6, 8, 10}) {
         SCOPED_TRACE(sides);
         const Outline kept = fit_arcs(polygon(sides, 80));
@@ -57,7 +57,7 @@ TEST(Arcs, APolygonWithCornersIsNone) {
     }
 }
 
-TEST(Arcs, WhatIsOffByMoreThanAFiftiethOfAPixelIsNone) {
+TEST(Arcs, PointsOffByMoreThanAFiftiethOfAPixelMakeNoArc) {
     std::mt19937 random{5};
     std::uniform_real_distribution<double> off{-1, 1};
     for (const double noise : {0.012, 0.08}) {
@@ -68,7 +68,7 @@ TEST(Arcs, WhatIsOffByMoreThanAFiftiethOfAPixelIsNone) {
     }
 }
 
-TEST(Arcs, AnEllipseIsNone) {
+TEST(Arcs, AnEllipseIsNoCircle) {
     Outline ellipse = polygon(90, 1);
     for (OutlinePoint& point : ellipse.points) point.at = glm::dvec2{100, 60} * (point.at - center);
     for (const OutlinePoint& point : fit_arcs(ellipse).points) EXPECT_EQ(point.bulge, 0);

@@ -91,7 +91,7 @@ TEST(Plotter, JoinsEndsThatMeet) {
     EXPECT_NEAR(travel.after, 0.2, 1e-9);
 }
 
-TEST(Plotter, ClosesWhatComesBackToItsStart) {
+TEST(Plotter, ClosesPathsThatReturnToTheirStart) {
     std::vector<VectorPath> paths{
         path_through(LineKind::boundary, true, {{0, 0}, {10, 0}, {10, 10}}),
         path_through(LineKind::boundary, true, {{0, 0.05}, {0, 10}, {10, 10}}),
@@ -146,7 +146,7 @@ TEST(Plotter, ManyPathsTravelLittle) {
     EXPECT_LT(travel.after, 0.7124 * std::sqrt(25000 * 4000.0 * 3000)); // as above
 }
 
-TEST(Paths, TurnedTwiceAreTheSame) {
+TEST(Paths, ReversedTwiceAreTheSame) {
     const VectorPath path =
         path_through(LineKind::crease, true, {{0, 0}, {10, 0}, {10, 9}, {0, 9}});
     VectorPath turned = path;

@@ -172,7 +172,7 @@ TEST(Thinning, HasLayersThatAreNotShown) {
     EXPECT_EQ(thinned, std::ranges::count_if(dense.paths, &VectorPath::thinned));
 }
 
-TEST(Thinning, IsNothingThatAPlotterDraws) {
+TEST(Thinning, PlottersDoNotDrawThinnedPaths) {
     const VectorDrawing dense = drawing(0.2F, true);
     EXPECT_GT(dense.thinned_share, 0.6);
     EXPECT_TRUE(std::ranges::none_of(dense.paths, &VectorPath::thinned));

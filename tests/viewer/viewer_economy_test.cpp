@@ -59,7 +59,7 @@ TEST(ViewerEconomy, AsMuchAsIsNeededGivesWayFromTheFirstPictureOn) {
     for (const Economy economy : move(pace, faster, 10)) EXPECT_EQ(economy, Economy::samples);
 }
 
-TEST(ViewerEconomy, WhatItHasSavedBeforeCounts) {
+TEST(ViewerEconomy, MeasuredSavingsCount) {
     Pace pace;
     pace.note(Economy::none, 1);
     // On this machine to leave out marks saves nearly all time, which cannot be known before.
@@ -75,7 +75,7 @@ TEST(ViewerEconomy, WhatItHasSavedBeforeCounts) {
     }
 }
 
-TEST(ViewerEconomy, WhatIsNotThereCannotGiveWay) {
+TEST(ViewerEconomy, EffectsThatAreNotDrawnCannotGiveWay) {
     Pace pace;
     pace.note(Economy::none, 1);
     pace.note(Economy::none, 0.05);

@@ -134,7 +134,7 @@ TEST(ViewerEnd, DoesNotWaitForAReader) {
     EXPECT_FALSE(viewer::Loader::any_thread());
 }
 
-TEST(ViewerProgram, IsSaidToBeMissingWithTheWayOut) {
+TEST(ViewerProgram, IfMissingIsNamedWithThePackageToInstall) {
     const TemporaryFolder folder;
     const std::string tool = (folder.path() / "lineatlas").string();
     std::filesystem::copy_file(LINEATLAS_TOOL, tool);

@@ -436,7 +436,7 @@ TEST(Pens, LengthsGrowWithThePicture) {
     EXPECT_EQ(drawing_of(lines, corner_view(lines), style).pens.back().width, 6);
 }
 
-TEST(Outlines, TakeRoomByWhatIsSeen) {
+TEST(Outlines, TakeMemoryByTheVisibleSegments) {
     const gl::HeadlessContext context;
     Mesh mesh = cube();
     for (int i = 0; i < 1000; ++i) { // behind the first, and smaller

@@ -1,5 +1,5 @@
-// Builds the page into one script beside index.html, with the module inside, so that it works from a folder too.
-// Usage: build.mjs WEB, the folder where `package` and `node_modules` are; writes WEB/demo.
+// Builds the page into one script beside index.html. The script contains the module, so the page also works without a server.
+// Usage: build.mjs WEB. WEB is the folder with `package` and `node_modules`. Writes WEB/demo.
 import { copyFile, mkdir } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';

@@ -1,4 +1,4 @@
-// The page: a three.js scene whose lines a worker of lineatlas finds when the camera rests.
+// The page: a three.js scene. When the camera rests, a worker of lineatlas finds its lines.
 import { AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
@@ -29,7 +29,7 @@ scene.add(new AmbientLight());
 const perspective = new PerspectiveCamera(40, 1, 0.1, 100), parallel = new OrthographicCamera();
 let camera = perspective;
 const controls = new OrbitControls(camera, renderer.domElement);
-let isStale = true; // what the canvas shows
+let isStale = true; // true if the canvas must be drawn again
 const redraw = () => { isStale = true; };
 controls.addEventListener('change', redraw);
 const faces = new MeshBasicMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
@@ -59,7 +59,7 @@ function clear(group) {
   group.clear();
 }
 
-/// Roughly, while the camera moves: edges, as the depth buffer shows them.
+/// Shows rough lines while the camera moves: edges, hidden by the depth buffer.
 function showRough(on) {
   edges.visible = on;
   exact.visible = !on;
@@ -84,7 +84,7 @@ async function makeLines() {
   setSaving(null);
   showRough(true);
   const cut = plane();
-  // Faces and rough lines alone: exact ones lie on the plane, too.
+  // Only clips faces and rough lines. Exact lines also lie on the plane itself.
   const clipping = cut ? [new Plane(new Vector3(...cut.normal).negate(), new Vector3(...cut.point).dot(new Vector3(...cut.normal)))] : [];
   faces.clippingPlanes = rough.clippingPlanes = clipping;
   try {
@@ -205,7 +205,7 @@ function setModel(object) {
   makeLines();
 }
 
-/// What a file holds that the package reads: a mesh for each object, and lines.
+/// A file that the package has read, as three.js objects: a mesh per object, and lines.
 function objectOf({ mesh }) {
   const root = new Group(), positions = new BufferAttribute(mesh.positions, 3), cornersOf = new Map();
   mesh.indices.forEach((corner, i) => {

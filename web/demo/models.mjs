@@ -1,4 +1,4 @@
-// Models that are made, so that the page needs no file.
+// Models made by code, so that the page needs no files.
 import { BoxGeometry, CylinderGeometry, ExtrudeGeometry, Group, LatheGeometry, Mesh, MeshBasicMaterial, Path, Shape, SphereGeometry, TorusKnotGeometry, Vector2 } from 'three';
 
 const material = new MeshBasicMaterial();

@@ -1,6 +1,6 @@
-// What compiled C++ calls to throw and to catch, by the Itanium C++ ABI ("Exception handling",
-// level II) as clang lowers it for WebAssembly. Debian's libc++abi for wasm32-wasi is built without
-// it. One thread; exceptions are of C++ alone, and none is kept in a std::exception_ptr.
+// The functions behind throw and catch: the Itanium C++ ABI ("Exception handling", level II) as
+// clang lowers it for WebAssembly. Debian's libc++abi for wasm32-wasi lacks them. They support one
+// thread, exceptions of C++ only, and no std::exception_ptr.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -14,14 +14,15 @@ asm(".globl __cpp_exception\n"
 
 namespace __cxxabiv1 {
 
-/// What every std::type_info is in libc++abi (its private_typeinfo.h), by its virtual functions.
+/// The base of every std::type_info of libc++abi, with the same virtual functions (its
+/// private_typeinfo.h).
 class __shim_type_info : public std::type_info {
   public:
     ~__shim_type_info() override;
     virtual void noop1() const;
     virtual void noop2() const;
-    /// Whether a handler of this type catches what was thrown; moves `object` to the base that the
-    /// handler wants.
+    /// True if a handler of this type catches an exception of type `thrown`. Moves `object` to the
+    /// base class that the handler wants.
     virtual bool can_catch(const __shim_type_info* thrown, void*& object) const = 0;
 };
 
@@ -31,12 +32,12 @@ namespace {
 
 using TypeInfo = __cxxabiv1::__shim_type_info;
 
-/// Stands before each object that is thrown.
+/// The header before each thrown object.
 struct alignas(16) Exception {
     const TypeInfo* type;
-    void* (*destructor)(void*); ///< destructors return their object on this machine; or nullptr
+    void* (*destructor)(void*); ///< null: none. Destructors return their object on this machine
     Exception* caught_before;
-    int handlers;   ///< that are handling it; negative: it was thrown again out of that many
+    int handlers;   ///< handlers at work; negative: it was rethrown out of that many
     void* adjusted; ///< the object as the handler sees it
 };
 
@@ -47,14 +48,14 @@ Exception* exception_of(void* object) {
     return static_cast<Exception*>(object) - 1;
 }
 
-Exception* caught = nullptr; ///< the last one whose handler has begun and not ended
+Exception* caught = nullptr; ///< the exception of the innermost handler at work
 
-/// For a std::bad_alloc where there is no memory for it.
+/// Memory for a std::bad_alloc when the heap has none.
 alignas(Exception) std::byte reserve[sizeof(Exception) + 64];
 bool reserve_used = false;
 
 [[noreturn]] void throw_it(Exception* exception) {
-    __builtin_wasm_throw(0, exception); // 0: the tag of C++
+    __builtin_wasm_throw(0, exception); // 0 is the tag of C++ exceptions
 }
 
 void destroy(Exception* exception) {
@@ -65,7 +66,7 @@ void destroy(Exception* exception) {
         std::free(exception);
 }
 
-/// Reads what the compiler says of the handlers of a function (DWARF's numbers of variable length).
+/// Reads a compiled table of handlers (numbers of variable length as in DWARF).
 class Reader {
   public:
     explicit Reader(const std::uint8_t* at) : at_(at) {}
@@ -94,7 +95,7 @@ class Reader {
 
 constexpr std::uint8_t omitted = 0xFF; // DW_EH_PE_omit
 
-/// Of a function: what its landing pads catch.
+/// The handler table of a function: the types that its landing pads catch.
 struct HandlerTable {
     const std::uint8_t* types_end = nullptr; ///< the i-th type stands i pointers before it
     const std::uint8_t* sites = nullptr;
@@ -102,34 +103,35 @@ struct HandlerTable {
 
     explicit HandlerTable(const std::uint8_t* language_data) {
         Reader reader{language_data};
-        if (reader.byte() != omitted) std::abort(); // where landing pads begin: they are numbers
+        if (reader.byte() != omitted)
+            std::abort(); // the base of landing pads: none, since they are numbers
         if (reader.byte() != omitted) {
             const std::uint32_t length = reader.number();
             types_end = reader.place() + length;
         }
-        reader.byte(); // how sites are written: as numbers of variable length
+        reader.byte(); // the encoding of sites: always numbers of variable length
         const std::uint32_t length = reader.number();
         sites = reader.place();
         actions = sites + length;
     }
 
-    /// nullptr: catches everything.
+    /// A type by its number; null: the handler catches everything.
     const TypeInfo* type(std::int32_t index) const {
         return reinterpret_cast<const TypeInfo* const*>(types_end)[-index];
     }
 
-    /// The first action of a landing pad, or nullptr.
+    /// The first action of a landing pad; null if it has none.
     const std::uint8_t* first_action(std::uint32_t pad) const {
         Reader reader{sites};
         for (;; --pad) {
-            reader.number(); // the pad's own number
+            reader.number(); // skips the pad's own number
             const std::uint32_t action = reader.number();
             if (pad == 0) return action == 0 ? nullptr : actions + (action - 1);
         }
     }
 };
 
-/// The number of the type by which a landing pad catches an exception; 0: it does not.
+/// The number of the type by which a landing pad catches an exception; 0 if it does not.
 std::int32_t find_handler(const HandlerTable& table, std::uint32_t pad, Exception& exception) {
     for (const std::uint8_t* action = table.first_action(pad); action != nullptr;) {
         Reader reader{action};
@@ -153,7 +155,7 @@ std::int32_t find_handler(const HandlerTable& table, std::uint32_t pad, Exceptio
 
 extern "C" {
 
-/// What a landing pad tells of itself, and what it is told.
+/// The landing pad's data, read and written by compiled code.
 struct LandingPad {
     std::uint32_t index;
     const std::uint8_t* language_data;
@@ -182,7 +184,7 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 
 void __cxa_free_exception(void* object) noexcept {
     Exception* const exception = exception_of(object);
-    exception->destructor = nullptr; // its constructor threw: there is no object
+    exception->destructor = nullptr; // its constructor threw, so there is no object
     destroy(exception);
 }
 

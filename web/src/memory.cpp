@@ -1,5 +1,5 @@
-// Running out of memory is an exception: those of Debian's libc++abi for wasm32-wasi, which knows
-// none, end the program. Where memory cannot grow, malloc() returns nullptr.
+// Operators new that throw std::bad_alloc. Those of Debian's libc++abi for wasm32-wasi end the
+// program instead, because it has no exceptions. malloc() returns nullptr if memory cannot grow.
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-// The functions that ../lineatlas.js calls. Numbers, and addresses of numbers in the module's
-// memory, go in. What is larger than a number stays in the module, and functions return where. A
-// function that may fail returns whether it went well, or an address that is 0 if it did not;
-// la_message() then says why.
+// The functions that ../lineatlas.js calls. Arguments are numbers, and addresses of numbers in the
+// module's memory. Larger results stay in the module; functions return their addresses. A function
+// that may fail returns true if it succeeded, or an address that is 0 if it failed. la_message()
+// then gives the reason.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +35,7 @@
 
 #define EXPORT(name) __attribute__((export_name(#name))) extern "C"
 
-/// Of the page: told what share is done, says whether to go on.
+/// The page's progress function. Gets the share that is done; returns 0 to stop.
 __attribute__((import_module("lineatlas"), import_name("progress"))) extern "C" int
 la_progress(float done);
 
@@ -48,9 +48,9 @@ constexpr std::uint32_t none = 0xFFFFFFFF;
 std::string message;
 bool cancelled = false;
 constexpr const char* no_memory = "lineatlas: out of memory; 4 GiB is all that WebAssembly has";
-std::string text; ///< a drawing as a file
+std::string text; ///< the last written drawing
 
-/// Calls `action`, and says of an exception what it says.
+/// Calls `action`. False if it threw; `message` is then the exception's.
 template <class Action>
 bool guarded(const Action& action) {
     cancelled = false;
@@ -62,7 +62,7 @@ bool guarded(const Action& action) {
         message = stop.what();
     } catch (const std::bad_alloc&) {
         message = no_memory;
-    } catch (const std::length_error&) { // of a list that no memory could hold
+    } catch (const std::length_error&) { // a list longer than any memory
         message = no_memory;
     } catch (const std::exception& error) {
         message = error.what();
@@ -74,16 +74,16 @@ bool go_on(float done) {
     return la_progress(done) != 0;
 }
 
-/// What of a model comes from one mesh of the page.
+/// The part of a model that comes from one mesh of the page.
 struct Part {
     std::uint32_t first_position = 0, first_triangle = 0;
 };
 
-/// A model that is being put together, and its lines when it is.
+/// A model that is being put together, and then its lines.
 struct Model {
     Mesh mesh;
     std::vector<Part> parts;
-    std::uint32_t position_count = 0; ///< of the page; what cuts add comes behind
+    std::uint32_t position_count = 0; ///< positions of the page; those of cuts follow
     bool is_cut = false;
     std::vector<SectionPlane> sections;
     std::vector<std::string> notes;
@@ -91,7 +91,7 @@ struct Model {
     std::optional<LineVisibility> visibility;
 };
 
-/// What was seen by a camera.
+/// The visible lines of a camera.
 struct Seen {
     Camera camera;
     std::vector<Interval> intervals;
@@ -103,7 +103,7 @@ std::span<const Number> numbers(const Number* first, std::uint32_t count) {
     return {first, first == nullptr ? 0 : count};
 }
 
-/// Of 16 numbers, by columns.
+/// A matrix from 16 numbers by columns.
 template <class Matrix>
 Matrix matrix_of(const float* columns) {
     Matrix matrix{1};
@@ -115,8 +115,8 @@ glm::dvec3 transformed(const glm::dmat4& matrix, glm::vec3 point) {
     return matrix * glm::dvec4{point, 1};
 }
 
-/// Puts the mesh where the matrix has it. Triangles keep the side that they show: a matrix that
-/// mirrors turns them round.
+/// Transforms the mesh. A matrix that mirrors also reverses the triangles, so that they show the
+/// same side.
 void place(Mesh& mesh, const float* columns) {
     const auto matrix = matrix_of<glm::dmat4>(columns);
     for (glm::vec3& position : mesh.positions) position = transformed(matrix, position);
@@ -124,7 +124,7 @@ void place(Mesh& mesh, const float* columns) {
     for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.y, triangle.z);
 }
 
-/// Puts the mesh behind those that the model has.
+/// Appends the mesh to the model.
 void append(Model& model, Mesh mesh, std::string name) {
     Mesh& all = model.mesh;
     const auto positions = static_cast<std::uint32_t>(all.positions.size());
@@ -146,7 +146,7 @@ void append(Model& model, Mesh mesh, std::string name) {
     all.triangle_object.insert(all.triangle_object.end(), mesh.triangles.size(), part);
 }
 
-/// Names as the page gives them: each ends in a zero.
+/// Takes the first name from a list in which each name ends in a zero byte.
 std::string take_name(std::string_view& names) {
     const std::size_t end = std::min(names.find('\0'), names.size());
     std::string name{names.substr(0, end)};
@@ -154,7 +154,8 @@ std::string take_name(std::string_view& names) {
     return name;
 }
 
-/// The groups whose numbers `materials` are: an object and a material of each.
+/// Sets the groups of a mesh. `names` has an object and a material per group, `materials` a group
+/// per triangle.
 void set_groups(Mesh& mesh, std::string_view names, std::span<const std::uint32_t> materials) {
     while (!names.empty()) {
         std::string object = take_name(names);
@@ -170,11 +171,12 @@ void set_groups(Mesh& mesh, std::string_view names, std::span<const std::uint32_
     mesh.triangle_group.assign(materials.begin(), materials.end());
 }
 
-/// What a file holds, as arrays.
+/// The content of a file as arrays.
 struct Loaded {
     LoadedMesh model;
-    std::string notes, groups; ///< a line each; an object and a material of each
-    std::vector<std::uint32_t> polylines, polyline_ends; ///< vertices; how many up to each end
+    std::string notes, groups; ///< one line each; an object and a material per group
+    std::vector<std::uint32_t> polylines,
+        polyline_ends; ///< vertices; number of vertices up to each end
 };
 std::unique_ptr<Loaded> loaded;
 
@@ -197,7 +199,7 @@ LoadedMesh load(SourceFile file) {
     return finish(read_own(std::move(file), extension, {}, ProgressPart::none()), name);
 }
 
-/// With its names and lines as the page takes them.
+/// The arrays of a model for the page.
 std::unique_ptr<Loaded> as_arrays(LoadedMesh model) {
     auto made = std::make_unique<Loaded>();
     for (const std::string& note : model.notes) made->notes += note + '\n';
@@ -211,7 +213,7 @@ std::unique_ptr<Loaded> as_arrays(LoadedMesh model) {
     return made;
 }
 
-/// An index of the page: of the part, and within it.
+/// An index of the page: the part, and the index within it.
 struct PartIndex {
     std::uint32_t part = none, index = none;
 };
@@ -224,14 +226,14 @@ PartIndex page_vertex(const Model& model, std::uint32_t position) {
             position - after->first_position};
 }
 
-/// Triangles of a model that was cut are others than the page's.
+/// A triangle as the page knows it. After a cut the model has other triangles than the page.
 PartIndex page_triangle(const Model& model, std::uint32_t triangle) {
     if (triangle == none) return {};
     const std::uint32_t part = model.mesh.triangle_object[triangle];
     return {part, model.is_cut ? none : triangle - model.parts[part].first_triangle};
 }
 
-/// Where a line comes from, as the page knows it.
+/// The source of a line, in indices of the page.
 struct PageSource {
     std::uint32_t part = none, from = none, to = none, triangle = none;
 };
@@ -246,7 +248,7 @@ PageSource page_source(const Model& model, const LineSource& source) {
             .triangle = face.index};
 }
 
-/// A piece of a line as the page gets it.
+/// The pieces of lines as arrays for the page.
 struct Segments {
     std::vector<float> positions, screen;
     std::vector<std::uint32_t> edges, parts;
@@ -271,7 +273,7 @@ void add_segment(const Model& model, const Interval& interval, float height) {
     segments.visible.push_back((interval.flags & LA_INTERVAL_VISIBLE) != 0 ? 1 : 0);
 }
 
-/// Matrices and viewport as the page has them: 16 numbers of the view and of the projection, by
+/// A camera from the page's data. `matrices`: 16 numbers of the view, then 16 of the projection, by
 /// columns.
 Camera camera_of(const float* matrices, int width, int height, int zero_to_one) {
     Camera camera;
@@ -289,7 +291,7 @@ void put_matrices(const Camera& camera, float* matrices) {
     }
 }
 
-/// Settings as "key=value", a line each, on top of the default.
+/// The default style with changed settings, one "key=value" per line.
 Style style_of(std::string_view settings) {
     Style style;
     while (!settings.empty()) {
@@ -331,7 +333,7 @@ EXPORT(la_cancelled) int la_cancelled() {
 EXPORT(la_make_model) Model* la_make_model() {
     Model* model = nullptr;
     guarded([&] {
-        message.reserve(4096); // for what is said when there is no memory
+        message.reserve(4096); // for messages when memory runs out
         model = new Model;
     });
     return model;
@@ -340,16 +342,16 @@ EXPORT(la_free_model) void la_free_model(Model* model) {
     delete model;
 }
 
-/// Reads a file in memory, whose name says of what type it is. la_loaded() and what follows it tell
-/// what it holds, until la_drop_loaded().
+/// Reads a file in memory. The extension of its name gives the type. la_loaded() and the functions
+/// after it return its content, until la_drop_loaded().
 EXPORT(la_load)
 bool la_load(const char* bytes, std::uint32_t size, const char* name, std::uint32_t name_size) {
     return guarded([&] {
         loaded = as_arrays(load({.path = {name, name_size}, .bytes = {bytes, size}}));
     });
 }
-/// Of a list of the file: 0 positions, 1 indices, 2 materials, 3 groups, 4 notes, 5 vertices
-/// of polylines, 6 where each ends, 7 the origin.
+/// The start of a list of the file: 0 positions, 1 indices, 2 materials, 3 groups, 4 notes, 5
+/// vertices of polylines, 6 ends of polylines, 7 the origin.
 EXPORT(la_loaded) const void* la_loaded(int list) {
     const Mesh& mesh = loaded->model.mesh;
     const std::array<const void*, 8> lists{mesh.positions.data(),        mesh.triangles.data(),
@@ -358,7 +360,7 @@ EXPORT(la_loaded) const void* la_loaded(int list) {
                                            loaded->polyline_ends.data(), &loaded->model.origin};
     return lists[static_cast<std::size_t>(list)];
 }
-/// How many numbers it has.
+/// The length of that list.
 EXPORT(la_loaded_size) std::size_t la_loaded_size(int list) {
     const Mesh& mesh = loaded->model.mesh;
     const std::array<std::size_t, 8> sizes{3 * mesh.positions.size(),    3 * mesh.triangles.size(),
@@ -390,7 +392,7 @@ bool la_add_mesh(Model* model, const char* name, std::uint32_t name_size, const 
     });
 }
 
-/// Of the mesh that was added last.
+/// Adds a polyline by points to the last mesh.
 EXPORT(la_add_polyline)
 bool la_add_polyline(Model* model, const float* points, std::uint32_t point_count,
                      const float* matrix) {
@@ -406,7 +408,7 @@ bool la_add_polyline(Model* model, const float* points, std::uint32_t point_coun
     });
 }
 
-/// Of the mesh that was added last: its vertices.
+/// Adds a polyline by vertices to the last mesh.
 EXPORT(la_join_vertices)
 bool la_join_vertices(Model* model, const std::uint32_t* vertices, std::uint32_t count) {
     return guarded([&] {
@@ -433,8 +435,8 @@ bool la_add_section(Model* model, const double* point_and_normal) {
     });
 }
 
-/// crease: radians, or NaN for the rule of LineOptions::crease. hatching: its spacing, 0 for the
-/// usual one, below 0 for none.
+/// Extracts the lines. crease: radians, or NaN for the default of LineOptions::crease. hatching:
+/// the spacing; 0: the default; below 0: none.
 EXPORT(la_extract)
 bool la_extract(Model* model, std::uint32_t kinds, float crease, std::uint32_t silhouettes,
                 int separate, double hatching) {
@@ -463,11 +465,11 @@ bool la_extract(Model* model, std::uint32_t kinds, float crease, std::uint32_t s
 EXPORT(la_segment_count) std::uint32_t la_segment_count(const Model* model) {
     return static_cast<std::uint32_t>(model->lines.segments.size());
 }
-/// Six floats: the least and the greatest coordinates.
+/// Six floats: the least coordinates, then the greatest.
 EXPORT(la_bounds) const Bounds* la_bounds(const Model* model) {
     return &model->lines.bounds;
 }
-/// What cuts did not close, a line each.
+/// Writes the cuts that did not close to `text`, one line each.
 EXPORT(la_notes) bool la_notes(const Model* model) {
     return guarded([&] {
         text.clear();
@@ -480,8 +482,8 @@ bool la_hide(Model* model, const std::uint32_t* parts, std::uint32_t count) {
     return guarded([&] { model->visibility->set_hidden(numbers(parts, count)); });
 }
 
-/// `matrices` receives those of a view that shows all. direction: as view_direction() has it, or
-/// empty for one from the front, right and above.
+/// Writes the matrices of a view that shows the whole model. direction: as for view_direction();
+/// empty: from the front, right and above.
 EXPORT(la_frame)
 bool la_frame(const Model* model, float* matrices, int width, int height, const char* direction,
               std::uint32_t direction_size, float up_x, float up_y, float up_z, float fov_y,
@@ -521,7 +523,7 @@ EXPORT(la_seen_count) std::uint32_t la_seen_count(const Seen* seen) {
     return static_cast<std::uint32_t>(seen->intervals.size());
 }
 
-/// Fills `segments`, until la_drop_segments().
+/// Fills `segments`, which lasts until la_drop_segments().
 EXPORT(la_segments) bool la_segments(const Model* model, const Seen* seen) {
     return guarded([&] {
         segments.clear();
@@ -551,8 +553,8 @@ EXPORT(la_drop_segments) void la_drop_segments() {
     segments.clear();
 }
 
-/// `text` becomes the drawing as a file: 0 SVG, 1 DXF, 2 JSON. page: millimetres, 0 for the picture
-/// itself.
+/// Writes the drawing to `text` as a file. format: 0 SVG, 1 DXF, 2 JSON. page: millimetres; 0: the
+/// picture's own size.
 EXPORT(la_write)
 bool la_write(const Model* model, const Seen* seen, int format, const char* settings,
               std::uint32_t settings_size, const char* title, std::uint32_t title_size,
@@ -585,7 +587,7 @@ EXPORT(la_drop_text) void la_drop_text() {
     text = {};
 }
 
-/// What la_pick() found.
+/// The result of la_pick().
 struct Picked {
     std::uint32_t kind = none; ///< LineKind; none: a face
     std::uint32_t part = none, from = none, to = none, triangle = none;
@@ -594,7 +596,7 @@ struct Picked {
 };
 static Picked picked;
 
-/// Numbers of `picked`, or nullptr where nothing is; then `message` is empty unless it failed.
+/// The result; nullptr if nothing is there or the call failed. `message` is not empty if it failed.
 /// x, y: pixels from the upper left corner.
 EXPORT(la_pick)
 const Picked* la_pick(Model* model, const float* matrices, int width, int height, int zero_to_one,

@@ -18,7 +18,9 @@ void refuse_unknown(const Handle& reader) {
         ULONG size = 0;
         check(NMR::lib3mf_reader_getwarningutf8(reader.get(), i, &code, nullptr, 0, &size),
               reader.get());
-        if (code == NMR_ERROR_INVALIDMODELUNIT) refuse("its unit of length is none that 3MF has");
+        if (code == NMR_ERROR_INVALIDMODELUNIT)
+            refuse("its unit of length is unknown; 3MF has micron, millimeter, centimeter, inch, "
+                   "foot and meter");
         if (code == NMR_ERROR_REQUIREDEXTENSIONNOTSUPPORTED)
             refuse("it requires an extension that is not supported");
     }

@@ -161,7 +161,7 @@ void put_sparse(const Accessor& accessor, Buffers& buffers, Values& result) {
     for (std::uint64_t i = 0; i < count; ++i) {
         const double place = places(i, 0, false);
         if (!(place >= 0 && place < static_cast<double>(result.size())))
-            refuse(of + " replaces what is not there");
+            refuse(of + " replaces elements that its accessor does not have");
         double* const element = &result.numbers[static_cast<std::size_t>(place) * result.width];
         for (std::uint64_t k = 0; k < result.width; ++k)
             element[k] = replaced(i, k, accessor.normalized);
@@ -206,7 +206,7 @@ std::vector<std::uint32_t> read_indices(const Document& document, Buffers& buffe
     const bool known = accessor.component == Component::uint8 ||
                        accessor.component == Component::uint16 ||
                        accessor.component == Component::uint32;
-    if (!known) refuse(accessor.of + " holds indices that are no whole numbers without sign");
+    if (!known) refuse(accessor.of + " holds indices of a signed or fractional type");
     if (find(accessor.json, "sparse") != nullptr) refuse(accessor.of + " holds sparse indices");
     const Elements elements{buffers,
                             whole(accessor.json, "bufferView", accessor.of),

@@ -91,7 +91,7 @@ std::string_view Buffers::find_bytes(std::uint64_t index, const Json& buffer) {
     const std::string of = numbered("buffer", index);
     if (find(buffer, "uri") == nullptr) {
         if (index == 0 && !document_.binary.empty()) return document_.binary;
-        refuse(of + " is nowhere: it names no file");
+        refuse(of + " has no content: it names no file, and no binary chunk holds it");
     }
     const std::string uri = text(buffer, "uri", "");
     if (uri.starts_with("data:")) return decoded_buffers_[index] = decode_data_uri(uri, of);

@@ -113,7 +113,7 @@ void check_extensions(const Json& json) {
     if (required == nullptr) return;
     if (!required->is_array()) refuse("\"extensionsRequired\" is no list");
     for (const Json& name : *required) {
-        if (!name.is_string()) refuse("\"extensionsRequired\" holds something else than names");
+        if (!name.is_string()) refuse("\"extensionsRequired\" must be a list of names");
         const auto& extension = name.get_ref<const std::string&>();
         if (!can_be_drawn(extension))
             refuse("it requires the extension " + extension.substr(0, 60) +
@@ -210,7 +210,7 @@ std::string text(const Json& object, const char* key, std::string_view otherwise
 }
 
 double number(const Json& value, const std::string& of) {
-    if (!value.is_number()) refuse("a list of " + of + " holds something else than numbers");
+    if (!value.is_number()) refuse("a list of " + of + " must hold numbers alone");
     return value.get<double>();
 }
 
