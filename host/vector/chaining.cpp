@@ -46,11 +46,18 @@ class PathMaker {
             Stroke own = stroke;
             own.from = part.from;
             own.to = part.to;
-            add_whole(own, 0.5 * (part.from + part.to), paths);
+            add_whole(own, middle_of(part), paths);
         }
     }
 
   private:
+    static double middle_of(Stretch part) { return 0.5 * (part.from + part.to); }
+
+    /// Whether a stroke is the whole of a closed strip.
+    bool goes_round(const Stroke& stroke) const {
+        return strip_.closed && stroke.length() > strip_.length - same_place;
+    }
+
     /// How lines are drawn at a place of the strip.
     struct Look {
         std::uint32_t pen = 0;
@@ -103,9 +110,13 @@ class PathMaker {
                 parts.back().to = places[i + 1];
             before = look;
         }
-        if (!parts.empty()) {
-            parts.front().from = stroke.from;
-            parts.back().to = stroke.to;
+        if (parts.empty()) return parts;
+        parts.front().from = stroke.from;
+        parts.back().to = stroke.to;
+        if (goes_round(stroke) && parts.size() > 2 &&
+            look_at(middle_of(parts.front()), stroke.visible) == before) {
+            parts.back().to += parts.front().to - parts.front().from;
+            parts.erase(parts.begin());
         }
         return parts;
     }
@@ -129,7 +140,7 @@ class PathMaker {
             add_part(path, stroke.from, stroke.to, 0);
             return path;
         }
-        path.closed = stroke.length() > strip_.length - same_place;
+        path.closed = goes_round(stroke);
         const double to = path.closed ? stroke.from + strip_.length : stroke.to;
         for (double lap = std::floor(stroke.from / strip_.length); lap * strip_.length < to;
              ++lap) {

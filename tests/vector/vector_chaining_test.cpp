@@ -74,6 +74,31 @@ TEST(VectorChains, AClosedPathClosesAndOneThatIsHiddenInPartIsWholeAcrossItsSeam
     expect_at(paths[1].points.front().at, {90, 40});
 }
 
+// A part of the loop is outline; the rest goes on across the loop's seam.
+TEST(VectorChains, ALoopOfTwoPensIsTwoPaths) {
+    Lines lines;
+    lines.add(LineKind::crease, {{10, 10, 0}, {90, 10, 0}, {90, 60, 0}, {10, 60, 0}}, true);
+    Cuts cuts{lines.set, flat_camera()};
+    cuts.add_all();
+    const Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
+    std::vector<Strip> strips = make_strips(lines.set, pieces);
+    ASSERT_EQ(strips.size(), 1U);
+    strips[0].outlines = {{100, 150}};
+    Style style;
+    style.pens = {{.match = {.kinds = {"outline"}}, .width = 3.0F}};
+    const LineClasses classes = line_classes(lines.set);
+    const LinePens pens = line_pens(classes, style);
+    const PathPens by_rule{classes, pens};
+    std::vector<VectorPath> paths = chain_strips(lines.set, pieces, strips, &by_rule);
+    ASSERT_EQ(paths.size(), 2U);
+    std::ranges::sort(paths, {}, &VectorPath::outline);
+    EXPECT_NEAR(length_of(paths[0]), 210, 1e-3);
+    EXPECT_NEAR(length_of(paths[1]), 50, 1e-3);
+    EXPECT_FALSE(paths[0].closed);
+    EXPECT_EQ(paths[0].points.front().at, paths[1].points.back().at);
+    EXPECT_EQ(paths[0].points.back().at, paths[1].points.front().at);
+}
+
 TEST(VectorChains, SilhouettesOfAMeshBecomeLoops) {
     Lines lines;
     // Edges of a hexagon, in no order and any direction, and a spur.
