@@ -70,14 +70,20 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
     if (!type || type == PathFile::pdf) check_pdf_module();
 }
 
+bool SheetArguments::has_sections(const ViewOptions& view) {
+    return view.views().find("section:") != std::string::npos;
+}
+
 SheetOptions SheetArguments::options(const ViewOptions& view, const std::optional<Page>& page,
                                      const std::filesystem::path& model,
-                                     std::optional<double> unit_of_file, glm::vec3 up) const {
+                                     std::optional<double> unit_of_file, glm::vec3 up,
+                                     glm::dvec3 origin) const {
     SheetOptions options{.views = views_of(view),
                          .angle = angle_of(view),
                          .scale = view.scale(),
                          .unit = view.unit(unit_of_file),
                          .up = up,
+                         .origin = origin,
                          .measures = wants_summary(view)};
     if (page) options.page = *page;
     options.fields.title = model.stem().string();

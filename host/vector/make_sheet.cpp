@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "core/style_lengths.hpp"
+#include "lineatlas/error.hpp"
 #include "lineatlas/sheet.hpp"
 #include "sheet_measures.hpp"
 #include "sheet_pixels.hpp"
@@ -10,19 +11,23 @@ namespace lineatlas {
 Style style_of_view(const Style& style, const SheetView& view) {
     Style result = style;
     multiply_lengths(result, static_cast<float>(length_in({1, Unit::px}, Unit::mm) * sheet_pixels));
-    if (view.pictorial) result.hidden = false;
+    if (view.pictorial || view.cut) result.hidden = false;
     return result;
 }
 
 VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
-                              const FindLines& find, const Style& style,
+                              const FindViewLines& find, const Style& style,
                               const VectorOptions& options) {
     VectorSheet sheet{.layout = layout, .drawings = {}};
     for (const SheetView& view : layout.views) {
-        SeenLines seen = find(view.camera);
+        SeenLines seen = find(view);
+        if (view.cut && seen.lines == nullptr)
+            throw UsageError("sheet: " + view.name + " needs the lines of the cut model");
         VectorOptions own = options;
         own.outlines = seen.outlines;
-        sheet.drawings.push_back(make_vector_drawing(lines, view.camera, seen.intervals,
+        if (seen.lines != nullptr) own.mesh = seen.mesh;
+        sheet.drawings.push_back(make_vector_drawing(seen.lines == nullptr ? lines : *seen.lines,
+                                                     view.camera, seen.intervals,
                                                      style_of_view(style, view), own));
         sheet.drawings.back().fills = std::move(seen.fills);
     }

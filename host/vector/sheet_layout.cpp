@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,6 +17,8 @@
 #include "sheet_measures.hpp"
 #include "sheet_options.hpp"
 #include "sheet_pixels.hpp"
+#include "sheet_sections.hpp"
+#include "sheet_sides.hpp"
 #include "title_block.hpp"
 
 namespace lineatlas {
@@ -35,62 +36,33 @@ struct Gaps {
 
 constexpr double least_gap = 10;
 
-/// A side of the model. Lengths are in units of the model, from its middle, y down.
-struct Side {
-    std::string name;
-    bool pictorial;
-    ViewDirection direction;
-    glm::dvec3 right, down; ///< of paper, in the model
-    glm::dvec2 low, high;   ///< its box on paper
-    glm::dvec2 middle;      ///< the point in the middle of its cell
-
-    /// How far it reaches from the middle of its cell.
-    glm::dvec2 reach() const { return glm::max(high - middle, middle - low); }
-};
-
-Side side_of(const std::string& name, std::span<const glm::vec3> points, glm::dvec3 center,
-             glm::vec3 up) {
-    const ViewDirection direction = view_direction(name, up);
-    const glm::dvec3 toward{direction.toward_eye};
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{direction.up}, toward));
-    Side side{.name = name,
-              .pictorial = is_pictorial(name),
-              .direction = direction,
-              .right = right,
-              .down = glm::cross(right, toward),
-              .low = glm::dvec2{std::numeric_limits<double>::infinity()},
-              .high = glm::dvec2{-std::numeric_limits<double>::infinity()},
-              .middle = glm::dvec2{0}};
-    for (const glm::vec3& point : points) {
-        const glm::dvec3 offset = glm::dvec3{point} - center;
-        const glm::dvec2 at{glm::dot(offset, side.right), glm::dot(offset, side.down)};
-        side.low = glm::min(side.low, at);
-        side.high = glm::max(side.high, at);
-    }
-    if (side.pictorial) side.middle = 0.5 * (side.low + side.high);
-    return side;
-}
-
 /// The sides of a model in a grid.
 struct Grid {
-    std::vector<Side> sides;
+    std::vector<SheetSide> sides;
     std::vector<SheetCell> cells;
     std::vector<double> columns, rows; ///< half of each, units of the model
     Gaps across, upwards;
 };
 
-/// The gap where measures stand: below views and on their left.
-double before_measures(const SheetOptions& options) {
-    return options.measures ? space_for_measures : least_gap;
+std::vector<SheetCell> cells_of(const std::vector<SheetSide>& sides, ProjectionAngle angle) {
+    std::vector<WantedCell> wanted;
+    for (const SheetSide& side : sides)
+        wanted.push_back({.side = side.side, .yields = side.cut.has_value()});
+    return sheet_cells(wanted, angle);
 }
 
-Grid grid_of(std::vector<Side> sides, const SheetOptions& options) {
+Grid grid_of(std::vector<SheetSide> sides, const SheetOptions& options) {
+    const bool cut = std::ranges::any_of(sides, [](const auto& side) { return !!side.cut; });
+    const double least = cut ? space_for_sections : least_gap;
+    // Measures stand below views and on their left.
+    const double measured = options.measures ? std::max(least, space_for_measures) : least;
     Grid grid{.sides = std::move(sides),
-              .cells = sheet_cells(options.views, options.angle),
+              .cells = {},
               .columns = {},
               .rows = {},
-              .across = {before_measures(options), before_measures(options), least_gap},
-              .upwards = {least_gap, before_measures(options), before_measures(options)}};
+              .across = {measured, measured, least},
+              .upwards = {least, measured, measured}};
+    grid.cells = cells_of(grid.sides, options.angle);
     const auto widen = [](std::vector<double>& halves, int at, double half) {
         const auto place = static_cast<std::size_t>(at);
         if (halves.size() <= place) halves.resize(place + 1, 0);
@@ -140,7 +112,7 @@ std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, double scale,
     return places;
 }
 
-SheetBox box_on_paper(const Side& side, glm::dvec2 place, double scale) {
+SheetBox box_on_paper(const SheetSide& side, glm::dvec2 place, double scale) {
     return {place + scale * (side.low - side.middle), place + scale * (side.high - side.middle)};
 }
 
@@ -216,7 +188,7 @@ struct Pixels {
 
 /// The view of a side whose cell has its middle at `place`. Scale and corner make up for the
 /// rounding of floats in the camera, so that views are aligned.
-SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 center,
+SheetView view_of(const SheetSide& side, glm::dvec2 place, double scale, glm::dvec3 center,
                   const Bounds& bounds) {
     constexpr double around = 8; // pixels, so that no stroke is cut off
     const glm::dvec2 extent = scale * sheet_pixels * (side.high - side.low) + 2 * around;
@@ -230,8 +202,11 @@ SheetView view_of(const Side& side, glm::dvec2 place, double scale, glm::dvec3 c
                     .target = target,
                     .up = side.direction.up,
                     .projection = Projection::orthographic};
-    SheetView result{
-        .name = side.name, .pictorial = side.pictorial, .camera = make_camera(view, size, bounds)};
+    SheetView result{.name = side.name,
+                     .letter = side.letter,
+                     .pictorial = side.pictorial,
+                     .cut = side.cut,
+                     .camera = make_camera(view, size, bounds)};
     const Pixels pixels{result.camera};
     result.scale = scale / pixels.per_unit();
     const glm::dvec2 center_place = place - scale * side.middle;
@@ -269,10 +244,7 @@ SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions&
     check_sheet_options(options);
     const Bounds bounds = bounds_around(points);
     const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
-    std::vector<Side> sides;
-    for (const std::string& view : options.views)
-        sides.push_back(side_of(view, points, center, options.up));
-    const Grid grid = grid_of(std::move(sides), options);
+    const Grid grid = grid_of(sheet_sides(points, bounds, options), options);
 
     SheetLayout layout{.size = page_size(options.page),
                        .title = options.fields.title,
@@ -285,6 +257,7 @@ SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions&
     for (std::size_t i = 0; i < grid.sides.size(); ++i)
         layout.views.push_back(view_of(grid.sides[i], found.places[i], scale, center, bounds));
     add_frame(layout);
+    add_sections(layout, grid.sides, found.places, scale, center);
     add_title_block(
         layout, block, options.fields,
         {.scale = layout.scale, .page = page_name(options.page), .angle = options.angle});

@@ -28,9 +28,9 @@ constexpr double above_line = 1;                           ///< of a text
 
 /// A view as its measures see it.
 struct MeasuredView {
-    SheetBox box;         ///< around its lines
-    double tolerance = 0; ///< of the box, millimetres
-    bool pictorial = false;
+    SheetBox box;                 ///< around its lines
+    double tolerance = 0;         ///< of the box, millimetres
+    bool pictorial = false;       ///< or a section, which need not show all of the model
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model; unit vectors
 };
 
@@ -46,7 +46,7 @@ MeasuredView measured(const SheetView& view, const VectorDrawing& drawing) {
                          : SheetBox{view.corner + view.scale * box.low,
                                     view.corner + view.scale * box.high},
             .tolerance = view.scale * (box.exact ? of_others : of_cubics),
-            .pictorial = view.pictorial,
+            .pictorial = view.pictorial || view.cut,
             .right = row(0),
             .down = -row(1)};
 }

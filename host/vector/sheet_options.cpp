@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
 #include "lineatlas/error.hpp"
+#include "sheet_sides.hpp"
 
 namespace lineatlas {
 namespace {
@@ -31,12 +33,24 @@ std::size_t end_of_view(std::string_view list) {
     return std::min(list.find(',', end + 1), list.size());
 }
 
+void check_view(const std::string& view) {
+    const std::optional<std::string_view> plane = section_of(view);
+    if (!plane) {
+        view_direction(view, {0, 1, 0});
+        return;
+    }
+    parse_section(*plane, {{0, 0, 0}, {1, 1, 1}});
+    if (plane->find('/') != std::string_view::npos)
+        throw UsageError(fmt::format(
+            "{}: the plane of a sheet's section lies across an axis, as in section:x=12", view));
+}
+
 } // namespace
 
 void check_sheet_options(const SheetOptions& options) {
     if (options.views.empty()) throw UsageError("a sheet has one view at least");
     for (auto view = options.views.begin(); view != options.views.end(); ++view) {
-        view_direction(*view, {0, 1, 0});
+        check_view(*view);
         if (std::find(options.views.begin(), view, *view) != view)
             throw UsageError(
                 fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));

@@ -52,6 +52,7 @@ class Drawer {
 
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
+    bool is_changed() const;      ///< since it was made: moved, hidden, added or removed parts
     DeviceOptions device() const; ///< without OpenGL, which is current only during calls
     std::string description();
     std::string take_note(); ///< Renderer::note(), once, and again if it is another

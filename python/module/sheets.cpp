@@ -11,6 +11,7 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/fills.hpp"
 #include "lineatlas/framing.hpp"
+#include "lineatlas/section.hpp"
 #include "lineatlas/sheet.hpp"
 #include "lineatlas/style_files.hpp"
 #include "options.hpp"
@@ -37,21 +38,48 @@ SheetFields fields_of(const std::map<std::string, std::string>& given) {
     return fields;
 }
 
+/// The rest of a model that the plane of a section cuts.
+ModelLines cut_lines(const ModelLines& whole, const SectionPlane& plane, const Progress& asked) {
+    Section section = cut_mesh(whole.model->mesh, {{plane}});
+    auto rest = std::make_shared<Model>(Model{.mesh = std::move(section.mesh)});
+    return find_lines(std::move(rest), whole.options, asked);
+}
+
+/// What a view shows of what the drawer has. `style`: with lengths in pixels of the view.
+SeenLines seen(Drawer& drawer, const std::shared_ptr<const ModelLines>& subject,
+               const SheetView& view, const Style& style, const Progress& asked) {
+    const glm::ivec2 size = view.camera.size;
+    FoundIntervals found =
+        drawer.intervals(view.camera, path_options({}, style, {size.x, size.y}), true, asked);
+    if (found.subject != subject)
+        throw UsageError("the model has changed while its sheet was drawn");
+    return {std::move(found.intervals), std::move(found.outlines),
+            find_fills(subject->lines, view.camera, style.fill, drawer.device(), asked)};
+}
+
 /// Draws all views of what the drawer has.
-VectorSheet draw(Drawer& drawer, const SheetOptions& options, const Style& style,
-                 std::string& of_framing, const Progress& asked) {
+VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style, std::string& of_framing,
+                 const Progress& asked) {
     const std::shared_ptr<const ModelLines> subject = drawer.subject();
+    const auto [x, y, z] = subject->model->origin;
+    options.origin = {x, y, z};
     const Framing framing = framing_of(subject->lines);
     of_framing = framing.note;
     const SheetLayout layout = lay_out_sheet(framing.points, options);
     const Style of_views = style_of_view(style, layout.views.front());
-    const auto find = [&](const Camera& camera) -> SeenLines {
-        const FrameOptions frame = path_options({}, of_views, {camera.size.x, camera.size.y});
-        FoundIntervals found = drawer.intervals(camera, frame, true, asked);
-        if (found.subject != subject)
-            throw UsageError("the model has changed while its sheet was drawn");
-        return {std::move(found.intervals), std::move(found.outlines),
-                find_fills(subject->lines, camera, style.fill, drawer.device(), asked)};
+    std::shared_ptr<const ModelLines> cut; // of the view that is drawn
+    const auto find = [&](const SheetView& view) -> SeenLines {
+        if (!view.cut) return seen(drawer, subject, view, of_views, asked);
+        if (drawer.is_changed())
+            throw UsageError(view.name +
+                             ": the model was changed after it was made; a section is of "
+                             "a mesh as it is");
+        Drawer rest{cut_lines(*subject, *view.cut, asked), drawer.device()};
+        cut = rest.subject();
+        SeenLines found = seen(rest, cut, view, of_views, asked);
+        found.lines = &cut->lines;
+        found.mesh = &cut->model->mesh;
+        return found;
     };
     return make_vector_sheet(subject->lines, layout, find, style, {.mesh = &subject->model->mesh});
 }
@@ -114,8 +142,9 @@ void bind_sheets(py::class_<Drawer>& renderer) {
         "Several views of the model on one page, aligned and to scale, with a frame and a title\n"
         "block. type: \"svg\" or \"dxf\" (text), \"pdf\" (bytes) or \"picture\" (a uint8 array as\n"
         "that of draw(), `dpi` pixels per inch). views: sides to look from, as in\n"
-        "\"front,30,20,top\"; none: front, top, right and isometric. angle: of projection, "
-        "\"first\" or\n\"third\", which it is for none. page: none: \"a3\". scale: as in \"1:2\"; "
+        "\"front,30,20,top\", and sections, as in \"front,section:x=12\"; none: front, top, right\n"
+        "and isometric. angle: of projection, \"first\" or\n\"third\", which it is for none. page: "
+        "none: \"a3\". scale: as in \"1:2\"; "
         "none:\n"
         "the largest of ISO 5455 that fits. unit: millimetres in a unit of the model. fields: "
         "of\n"

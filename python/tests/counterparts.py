@@ -137,7 +137,7 @@ ELSEWHERE = {
     "SheetOptions": "Renderer.to_sheet()", "SheetOptions.views": "Renderer.to_sheet(views)",
     "SheetOptions.angle": "Renderer.to_sheet(angle)", "SheetOptions.page": "Renderer.to_sheet(page)",
     "SheetOptions.scale": "Renderer.to_sheet(scale)", "SheetOptions.unit": "Renderer.to_sheet(unit)",
-    "SheetOptions.up": "Renderer.to_sheet(up)", "SheetOptions.fields": "Renderer.to_sheet(fields)",
+    "SheetOptions.up": "Renderer.to_sheet(up)", "SheetOptions.origin": "Mesh.origin", "SheetOptions.fields": "Renderer.to_sheet(fields)",
     "SheetOptions.measures": "Renderer.to_sheet(measures)", "parse_views()": "Renderer.to_sheet(views)",
     "SheetWriting": "Renderer.to_sheet()", "SheetWriting.background": "Renderer.to_sheet(transparent)",
     "SheetWriting.tags": "Renderer.to_sheet(tags)", "SheetWriting.curves": "Renderer.to_sheet(curves)",

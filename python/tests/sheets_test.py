@@ -43,6 +43,16 @@ class Sheets(FolderTest):
             self.assertEqual(clear[0, 0, 3], 0)
             self.assertTrue(renderer.to_sheet(type="pdf").startswith(b"%PDF-"))
 
+    def test_sections(self) -> None:
+        mesh = lineatlas.Mesh(BOX, SIDES)
+        with lineatlas.Renderer(mesh) as renderer:
+            svg = renderer.to_sheet(views="front,section:x=50%", scale="1:1")
+            for text in (">A<", ">A-A<", 'id="section_A-hatching"'):
+                self.assertIn(text, svg)
+            renderer.set_positions(BOX * 2)
+            with self.assertRaisesRegex(lineatlas.UsageError, "the model was changed"):
+                renderer.to_sheet(views="front,section:x=50%")
+
     def test_fills(self) -> None:
         mesh = lineatlas.Mesh(BOX, SIDES)
         style = lineatlas.Style("technical", fill="flat", fill_color="#ff8000")

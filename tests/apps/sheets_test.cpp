@@ -267,6 +267,39 @@ TEST_F(Sheets, EzdxfFindsNothingWrongWithViewsOnAPage) {
         EXPECT_NE(found.output.find(text), std::string::npos) << text << found.output;
 }
 
+/// A plate of 60 by 40 by 10 mm with a square hole of 20 mm through its middle, along z.
+TEST_F(Sheets, ASectionShowsWhatItsPlaneCuts) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("plate.obj", "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 0 0 10\nv 60 0 10\nv 60 40 10\n"
+                       "v 0 40 10\nv 20 10 0\nv 40 10 0\nv 40 30 0\nv 20 30 0\nv 20 10 10\n"
+                       "v 40 10 10\nv 40 30 10\nv 20 30 10\n"
+                       "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+                       "f 9 13 14 10\nf 10 14 15 11\nf 11 15 16 12\nf 12 16 13 9\n"
+                       "f 2 1 9 10\nf 3 2 10 11\nf 4 3 11 12\nf 1 4 12 9\n"
+                       "f 5 6 14 13\nf 6 7 15 14\nf 7 8 16 15\nf 8 5 13 16\n");
+    const auto sizes = [&](const std::string& scale, const std::string& more = "") {
+        const Result made =
+            run("draw " + path("plate.obj") + " --up y --compute cpp --views front,section:x=30 " +
+                more + " -o " + path("a.dxf") + " --scale " + scale);
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        write("sizes.py",
+              "import sys, ezdxf\n"
+              "drawing = ezdxf.readfile(sys.argv[1])\n"
+              "audit = drawing.audit()\n"
+              "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+              "for line in drawing.modelspace():\n"
+              "    if 'section_A-section' != line.dxf.layer: continue\n"
+              "    assert line.dxftype() == 'LWPOLYLINE' and line.closed, line\n"
+              "    x, y = zip(*((p[0], p[1]) for p in line))\n"
+              "    print('%.3f %.3f' % (max(x) - min(x), max(y) - min(y)))\n"
+              "print(len(drawing.query('*[layer==\"section_A-hatching\"]')) > 3)\n");
+        return shell(python + path("sizes.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    EXPECT_EQ(sizes("1:1"), "10.000 10.000\n10.000 10.000\nTrue\n");
+    EXPECT_EQ(sizes("2:1"), "20.000 20.000\n20.000 20.000\nTrue\n");
+    EXPECT_EQ(sizes("1:1", "--hatching none"), "10.000 10.000\n10.000 10.000\nFalse\n");
+}
+
 TEST_F(Sheets, AutoSaysWhatAPartIs) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
@@ -296,6 +329,9 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     const std::string to = draw + path("x.svg") + " --views ";
     expect_refused(to + "front,middle", 2, "there is no view \"middle\"");
     expect_refused(to + "front,top,front", 2, "\"front\" is named twice");
+    expect_refused(to + "front,section:z=50", 2, "no view shows its plane as a line; add top");
+    expect_refused(to + "top,section:z=500", 2, "misses the model, which goes from z=0 to 100");
+    expect_refused(to + "front --hatching none", 2, "for sections of --views");
     expect_refused(to + "front --view top", 2, "--views and --view exclude each other");
     expect_refused(to + "front --margin 5mm", 2, "--views and --margin exclude each other");
     expect_refused(to + "front --scale 5:1", 2, "2:1 fits");

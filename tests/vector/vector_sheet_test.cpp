@@ -41,10 +41,12 @@ struct Box {
         return lay_out_sheet(lines.set.vertices, options);
     }
     VectorSheet sheet(const SheetOptions& options = {}, const Style& style = {}) const {
-        const auto find = [&](const Camera& camera) -> SeenLines {
-            test::Cuts cuts{lines.set, camera};
+        const auto find = [&](const SheetView& view) {
+            test::Cuts cuts{lines.set, view.camera};
             cuts.add_all();
-            return {cuts.intervals};
+            SeenLines seen{cuts.intervals};
+            if (view.cut) seen.lines = &lines.set; // as if nothing were cut away
+            return seen;
         };
         return make_vector_sheet(lines.set, layout(options), find, style);
     }
@@ -216,6 +218,8 @@ TEST(Sheet, APageStandsOrLiesAsIso5457HasIt) {
 TEST(Sheet, ViewsAreNamedInAList) {
     EXPECT_EQ(parse_views("front,top"), (std::vector<std::string>{"front", "top"}));
     EXPECT_EQ(parse_views("30,-20.5,back"), (std::vector<std::string>{"30,-20.5", "back"}));
+    EXPECT_EQ(parse_views("front,section:-x=5%,30,20"),
+              (std::vector<std::string>{"front", "section:-x=5%", "30,20"}));
     for (const char* wrong : {"", "front,", "front,,top", "middle", "front,30", "front,top,front"})
         EXPECT_THROW(parse_views(wrong), UsageError) << wrong;
     EXPECT_THROW(lay_out_sheet({}), UsageError);
@@ -387,6 +391,130 @@ TEST(Sheet, WhatIsRoundIsMeasuredAsItIs) {
     drawing.paths = {arc};
     EXPECT_NEAR(drawn_box(drawing).low.y, 45 - 0.75 * 10, 1e-9);
     EXPECT_FALSE(drawn_box(drawing).exact);
+}
+
+std::vector<SheetLine> lines_on(const SheetLayout& layout, const std::string& layer, double width) {
+    std::vector<SheetLine> found;
+    for (const SheetLine& line : layout.lines)
+        if (line.layer == layer && line.width == width) found.push_back(line);
+    return found;
+}
+
+TEST(Sheet, ASectionStandsWhereItsSideWould) {
+    const Box box;
+    const glm::vec3 corner = box.high;
+    const auto layout = [&](std::vector<std::string> views) {
+        return box.layout({.views = std::move(views)});
+    };
+    const SheetLayout alone = layout({"front", "section:x=10"});
+    const SheetView& section = alone.views[1];
+    EXPECT_EQ(section.letter, "A");
+    EXPECT_EQ(section.cut->normal, (glm::dvec3{1, 0, 0})); // looks as the right does
+    EXPECT_GT(section.low.x, alone.views[0].high.x);
+    EXPECT_NEAR(on_paper(alone.views[0], corner).y, on_paper(section, corner).y, 1e-3);
+    const SheetLayout left = layout({"front", "section:-x=10"});
+    EXPECT_EQ(left.views[1].cut->normal, (glm::dvec3{-1, 0, 0}));
+    EXPECT_LT(left.views[1].high.x, left.views[0].low.x);
+    const SheetLayout above = layout({"front", "section:y=50%"});
+    EXPECT_LT(above.views[1].high.y, above.views[0].low.y);
+    EXPECT_NEAR(on_paper(above.views[0], corner).x, on_paper(above.views[1], corner).x, 1e-3);
+    // The right is taken, so the section is on the right of that.
+    const SheetLayout taken = layout({"section:x=10", "section:x=20", "front", "right"});
+    EXPECT_GT(view_named(taken, "section:x=10").low.x, view_named(taken, "right").high.x);
+    EXPECT_GT(taken.views[1].low.x, taken.views[0].high.x);
+    EXPECT_EQ(taken.views[1].letter, "B");
+    EXPECT_EQ(texts_of(taken, "sections"), (std::set<std::string>{"A", "B", "A-A", "B-B"}));
+}
+
+TEST(Sheet, ThePlaneOfASectionIsALineWithArrows) {
+    const Box box;
+    for (const char* scale : {"1:1", "1:2"}) {
+        SCOPED_TRACE(scale);
+        const SheetLayout layout = box.layout(
+            {.views = {"front", "section:x=10"}, .page = parse_page("a2"), .scale = scale});
+        const SheetView& front = layout.views[0];
+        const double x = on_paper(front, {10, 0, 0}).x;
+        const double top = on_paper(front, box.high).y, bottom = on_paper(front, box.low).y;
+        std::vector<SheetLine> thick = lines_on(layout, "sections", 0.5);
+        std::erase_if(thick, [](const SheetLine& line) { return line.points.size() > 2; }); // heads
+        ASSERT_EQ(thick.size(), 4U); // two ends and two arrows
+        for (const std::size_t end : {0U, 1U}) {
+            const SheetLine& line = thick[end];
+            EXPECT_NEAR(line.points[0].x, x, 1e-3);
+            EXPECT_NEAR(line.points[1].x, x, 1e-3);
+            EXPECT_NEAR(line.points[0].y, end == 0 ? top - 3 : bottom + 3, 1e-3);
+            EXPECT_NEAR(line.points[1].y, end == 0 ? top - 10 : bottom + 10, 1e-3);
+        }
+        for (const std::size_t arrow : {2U, 3U}) { // looks to the left, as the right view does
+            EXPECT_NEAR(thick[arrow].points[0].x, x, 1e-3);
+            EXPECT_NEAR(thick[arrow].points[1].x, x + 9, 1e-3);
+        }
+        double dashes = 0, longest = 0, dots = 0;
+        for (const SheetLine& line : lines_on(layout, "sections", 0.25)) {
+            EXPECT_NEAR(line.points[0].x, x, 1e-3);
+            const double length = glm::distance(line.points[0], line.points[1]);
+            (length < 0.2 ? dots : dashes) += 1;
+            longest = std::max(longest, length);
+        }
+        EXPECT_EQ(dashes, dots + 1);
+        EXPECT_NEAR(longest, 6, 1); // 24 times the width
+        for (const SheetText& text : layout.texts) {
+            if (text.layer != "sections") continue;
+            const bool is_title = text.text == "A-A";
+            EXPECT_TRUE(is_title ? text.at.y < layout.views[1].low.y : text.at.x > x + 9);
+        }
+    }
+}
+
+TEST(Sheet, ASectionHasAGroupAndLayers) {
+    const Box box;
+    const SheetOptions options{.views = {"front", "section:z=25%"}};
+    EXPECT_THROW(box.layout(options), UsageError); // the front shows no line
+    const SheetOptions cut{.views = {"front", "section:y=25%"}};
+    const pugi::xml_document svg = parsed(to_svg(box.sheet(cut)));
+    EXPECT_TRUE(group(svg, "section_A").find_child_by_attribute("id", "section_A-crease"));
+    EXPECT_TRUE(group(svg, "sections"));
+    EXPECT_NE(to_dxf(box.sheet(cut)).find("\nsection_A-crease\n"), std::string::npos);
+    EXPECT_FALSE(style_of_view(Style{.hidden = true}, box.layout(cut).views[1]).hidden);
+    EXPECT_THROW(make_vector_sheet(box.lines.set, box.layout(cut),
+                                   [](const SheetView&) { return SeenLines{}; }, {}),
+                 UsageError);
+}
+
+TEST(Sheet, SectionsThatCannotBeAreRefused) {
+    const auto refused = [](std::vector<std::string> views, const std::string& words) {
+        try {
+            Box{}.layout({.views = std::move(views), .page = parse_page("a0"), .scale = "1:100"});
+            ADD_FAILURE() << "not refused: " << words;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+        }
+    };
+    refused({"front", "section:x=200"},
+            "section:x=200 misses the model, which goes from x=-31.3 to 88.7");
+    refused({"front", "section:z=40"}, "section:z=40: no view shows its plane as a line; add top");
+    refused({"top", "isometric", "section:y=50%"}, "add front");
+    refused({"front", "section:0,0,40/0,1,1"}, "lies across an axis");
+    refused({"front", "section:w=1"}, "section \"w=1\" is none");
+    refused({"front", "section:x=1", "section:x=1"}, "named twice");
+    std::vector<std::string> many{"front"};
+    for (int i = 0; i < 25; ++i) many.push_back("section:x=" + std::to_string(i));
+    refused(many, "letters for 24 sections");
+    many.pop_back();
+    EXPECT_EQ(Box{}
+                  .layout({.views = many, .page = parse_page("a0"), .scale = "1:100"})
+                  .views.back()
+                  .letter,
+              "Z");
+}
+
+TEST(Sheet, SectionsAreInTheCoordinatesOfTheFile) {
+    const SheetOptions options{.views = {"front", "section:x=1010", "section:x=50%"},
+                               .page = parse_page("a2"),
+                               .origin = {1000, 0, 0}};
+    const SheetLayout layout = Box{}.layout(options);
+    EXPECT_NEAR(layout.views[1].cut->point.x, 10, 1e-9);
+    EXPECT_NEAR(layout.views[2].cut->point.x, 28.7, 1e-4);
 }
 
 TEST(Sheet, ASheetNeedsADrawingForEachView) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "sheet_marks.hpp"
+#include "sheet_sides.hpp"
+
+namespace lineatlas {
+
+/// The space that a cutting-plane line needs around its view, and the letters above a section.
+constexpr double space_for_sections = 24;
+
+/// Draws for each section the line of its plane on the view that it cuts, with arrows in the
+/// direction of sight and its letter, and letters such as "A-A" above the section (ISO 128-3).
+/// `places`: middles of the sides' cells in millimetres. `scale`: millimetres of paper per unit of
+/// the model. `center`: the middle of the model.
+void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
+                  std::span<const glm::dvec2> places, double scale, glm::dvec3 center);
+
+} // namespace lineatlas
