@@ -46,12 +46,14 @@ class Finder {
         : lines_(lines), device_(device), visibility_(lines, device_), wanted_(wanted),
           style_(style) {}
 
-    SeenLines find(const Camera& camera) {
-        wanted_.outline_depth = outline_depth(style_, camera.size);
-        wanted_.centre_overhang = centre_overhang(style_, camera.size);
+    SeenLines find(const SheetView& view) {
+        const Camera& camera = view.camera;
+        const Style style = style_of_view(style_, view);
+        wanted_.outline_depth = outline_depth(style, camera.size);
+        wanted_.centre_overhang = centre_overhang(style, camera.size);
         std::vector<Interval> intervals = visibility_.find(camera, wanted_);
         return {std::move(intervals), visibility_.outlines(),
-                find_fills(lines_, camera, style_.fill, device_)};
+                find_fills(lines_, camera, style.fill, device_)};
     }
 
   private:
@@ -59,7 +61,7 @@ class Finder {
     DeviceOptions device_;
     LineVisibility visibility_;
     VisibilityOptions wanted_;
-    Style style_; ///< with lengths in pixels of views
+    Style style_;
 };
 
 /// The rest of a model that a section's plane cuts.
@@ -78,7 +80,7 @@ struct CutModel {
 VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
                        const FrameOptions& options) {
     const Subject& subject = sheet.subject;
-    const Style style = style_of_view(options.style, sheet.layout.views.front());
+    const Style& style = options.style;
     const VisibilityOptions wanted{.lines = drawn_kinds(options.lines, options.style),
                                    .hidden = true,
                                    .step = options.step,
@@ -86,9 +88,9 @@ VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet
     Finder whole{arguments.device, subject.lines, wanted, style};
     std::optional<CutModel> cut; // of the view that is drawn
     const auto find = [&](const SheetView& view) -> SeenLines {
-        if (!view.cut) return whole.find(view.camera);
+        if (!view.cut) return whole.find(view);
         cut.emplace(subject, *view.cut, arguments.sections.hatching());
-        SeenLines seen = Finder{arguments.device, cut->lines, wanted, style}.find(view.camera);
+        SeenLines seen = Finder{arguments.device, cut->lines, wanted, style}.find(view);
         seen.lines = &cut->lines;
         seen.mesh = &cut->mesh;
         return seen;

@@ -48,11 +48,18 @@ void SheetArguments::declare(CLI::App& app) {
                    "creator, approver or date; may be repeated")
         ->allow_extra_args(false)
         ->group("Sheet (--views)");
+    app.add_option("--detail", details_,
+                   "VIEW/X,Y,Z/RADIUS: a part of a view of --views once more, at twice its scale, "
+                   "within a circle about a point of the model; may be repeated. "
+                   "VIEW/X,Y,Z/RADIUS/SCALE has a scale of its own, as in 5:1")
+        ->allow_extra_args(false)
+        ->group("Sheet (--views)");
 }
 
 void SheetArguments::check(const ViewOptions& view, const std::filesystem::path& output) const {
     if (!view.is_sheet()) {
         if (!fields_.empty()) throw UsageError("--field is for a sheet; see --views");
+        if (!details_.empty()) throw UsageError("--detail is for a sheet; see --views");
         return;
     }
     for (const char* option : not_of_sheets)
@@ -63,6 +70,7 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
     if (view.to_scale()) parse_scale("--scale", view.scale());
     SheetFields fields;
     for (const std::string& field : fields_) set_field(fields, field);
+    for (const std::string& detail : details_) parse_detail(detail);
     const std::optional<PathFile> type = path_file_type(output);
     if (type == PathFile::json)
         throw write_error(output, "a sheet is written as SVG, PDF, DXF or a picture; JSON has one "
@@ -86,6 +94,7 @@ SheetOptions SheetArguments::options(const ViewOptions& view, const std::optiona
                          .origin = origin,
                          .measures = wants_summary(view)};
     if (page) options.page = *page;
+    for (const std::string& detail : details_) options.details.push_back(parse_detail(detail));
     options.fields.title = model.stem().string();
     options.fields.file = model.filename().string();
     for (const std::string& field : fields_) set_field(options.fields, field);

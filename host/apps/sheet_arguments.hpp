@@ -12,7 +12,8 @@
 
 namespace lineatlas::apps {
 
-/// The arguments of `draw --views` that other pictures do not have: --field, and --views,
+/// The arguments of `draw --views` that other pictures do not have: --field and --detail, and
+/// --views,
 /// --projection, --scale and --page for a sheet.
 class SheetArguments {
   public:
@@ -37,7 +38,7 @@ class SheetArguments {
 
   private:
     CLI::App* app_ = nullptr;
-    std::vector<std::string> fields_;
+    std::vector<std::string> fields_, details_;
 };
 
 } // namespace lineatlas::apps

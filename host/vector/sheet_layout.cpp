@@ -40,7 +40,6 @@ constexpr double least_gap = 10;
 struct Grid {
     std::vector<SheetSide> sides;
     std::vector<SheetCell> cells;
-    std::vector<double> columns, rows; ///< half of each, units of the model
     Gaps across, upwards;
 };
 
@@ -52,28 +51,65 @@ std::vector<SheetCell> cells_of(const std::vector<SheetSide>& sides, ProjectionA
 }
 
 Grid grid_of(std::vector<SheetSide> sides, const SheetOptions& options) {
-    const bool cut = std::ranges::any_of(sides, [](const auto& side) { return !!side.cut; });
-    const double least = cut ? space_for_sections : least_gap;
+    const bool named =
+        std::ranges::any_of(sides, [](const SheetSide& side) { return !side.letter.empty(); });
+    const double least = named ? space_for_letters : least_gap;
     // Measures stand below views and on their left.
     const double measured = options.measures ? std::max(least, space_for_measures) : least;
     Grid grid{.sides = std::move(sides),
               .cells = {},
-              .columns = {},
-              .rows = {},
               .across = {measured, measured, least},
               .upwards = {least, measured, measured}};
     grid.cells = cells_of(grid.sides, options.angle);
-    const auto widen = [](std::vector<double>& halves, int at, double half) {
+    return grid;
+}
+
+/// Millimetres of paper per unit of the model, for each side.
+using PaperScales = std::vector<double>;
+
+/// Half of each column and row on paper.
+struct Halves {
+    std::vector<double> columns, rows;
+};
+
+Halves halves_of(const Grid& grid, const PaperScales& scales) {
+    Halves halves;
+    const auto widen = [](std::vector<double>& all, int at, double half) {
         const auto place = static_cast<std::size_t>(at);
-        if (halves.size() <= place) halves.resize(place + 1, 0);
-        halves[place] = std::max(halves[place], half);
+        if (all.size() <= place) all.resize(place + 1, 0);
+        all[place] = std::max(all[place], half);
     };
     for (std::size_t i = 0; i < grid.sides.size(); ++i) {
-        const glm::dvec2 reach = grid.sides[i].reach();
-        widen(grid.columns, grid.cells[i].column, reach.x);
-        widen(grid.rows, grid.cells[i].row, reach.y);
+        const glm::dvec2 reach = scales[i] * grid.sides[i].reach();
+        widen(halves.columns, grid.cells[i].column, reach.x);
+        widen(halves.rows, grid.cells[i].row, reach.y);
     }
-    return grid;
+    return halves;
+}
+
+/// The scale of each side on a sheet of this scale. Throws UsageError for a detail that is not
+/// larger than its view.
+std::vector<std::string> scales_of(const Grid& grid, const std::string& sheet) {
+    std::vector<std::string> scales;
+    const double value = parse_scale("the scale", sheet);
+    for (const SheetSide& side : grid.sides) {
+        const bool own = side.detail && !side.detail->scale.empty();
+        scales.push_back(!side.detail ? sheet
+                         : own        ? side.detail->scale
+                                      : enlarging_scale(2 * value));
+        if (!side.detail || parse_scale("the scale of a detail", scales.back()) > value) continue;
+        throw UsageError(fmt::format("the scale {} of a detail of \"{}\" must be larger than {}, "
+                                     "that of the sheet",
+                                     scales.back(), side.detail->view, sheet));
+    }
+    return scales;
+}
+
+PaperScales paper_scales(const std::vector<std::string>& scales, double unit) {
+    PaperScales result;
+    for (const std::string& scale : scales)
+        result.push_back(unit * parse_scale("the scale", scale));
+    return result;
 }
 
 double sum(const std::vector<double>& halves) {
@@ -84,26 +120,26 @@ double sum(const std::vector<double>& halves) {
 
 /// The middles of columns, or rows, that are spread evenly from `low` to `high`; nothing if there
 /// is no room for the gaps.
-std::optional<std::vector<double>> spread(const std::vector<double>& halves, double scale,
-                                          double low, double high, const Gaps& gaps) {
-    const double left = high - low - scale * sum(halves) - gaps.sum(halves.size());
+std::optional<std::vector<double>> spread(const std::vector<double>& halves, double low,
+                                          double high, const Gaps& gaps) {
+    const double left = high - low - sum(halves) - gaps.sum(halves.size());
     if (!(left >= 0)) return {};
     const double more = left / static_cast<double>(halves.size() + 1);
     std::vector<double> middles;
     double at = low + gaps.first + more;
     for (const double half : halves) {
-        middles.push_back(at + scale * half);
-        at = middles.back() + scale * half + gaps.between + more;
+        middles.push_back(at + half);
+        at = middles.back() + half + gaps.between + more;
     }
     return middles;
 }
 
-/// Middles of the cells of all sides in this space; nothing if they have no room. `scale`:
-/// millimetres of paper per unit of the model.
-std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, double scale,
+/// Middles of the cells of all sides in this space; nothing if they have no room.
+std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, const PaperScales& scales,
                                                  const SheetBox& space) {
-    const auto columns = spread(grid.columns, scale, space.low.x, space.high.x, grid.across);
-    const auto rows = spread(grid.rows, scale, space.low.y, space.high.y, grid.upwards);
+    const Halves halves = halves_of(grid, scales);
+    const auto columns = spread(halves.columns, space.low.x, space.high.x, grid.across);
+    const auto rows = spread(halves.rows, space.low.y, space.high.y, grid.upwards);
     if (!columns || !rows) return {};
     std::vector<glm::dvec2> places;
     for (const SheetCell& cell : grid.cells)
@@ -118,52 +154,83 @@ SheetBox box_on_paper(const SheetSide& side, glm::dvec2 place, double scale) {
 
 /// Middles of the cells on a page beside the title block, or above it if a view would meet the
 /// block.
-std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, double scale,
+std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, const PaperScales& scales,
                                                  const SheetBox& frame, const SheetBox& block) {
-    auto places = places_in(grid, scale, frame);
+    auto places = places_in(grid, scales, frame);
     if (!places) return {};
     for (std::size_t i = 0; i < places->size(); ++i)
-        if (box_on_paper(grid.sides[i], (*places)[i], scale).meets(block, grid.upwards.last))
-            return places_in(grid, scale, {frame.low, {frame.high.x, block.low.y}});
+        if (box_on_paper(grid.sides[i], (*places)[i], scales[i]).meets(block, grid.upwards.last))
+            return places_in(grid, scales, {frame.low, {frame.high.x, block.low.y}});
     return places;
 }
 
 struct Fit {
     std::string scale;
+    std::vector<std::string> scales; ///< of all sides
     std::vector<glm::dvec2> places;
 };
 
+/// The largest scale at which the views fit if details are of no size.
+double largest_scale(const Grid& grid, double unit, const SheetBox& frame) {
+    PaperScales one;
+    for (const SheetSide& side : grid.sides) one.push_back(side.detail ? 0 : unit);
+    const Halves halves = halves_of(grid, one);
+    return std::min(frame.size().x / sum(halves.columns), frame.size().y / sum(halves.rows));
+}
+
+/// Scales by which views are of no size, nor are details without a scale of their own.
+PaperScales details_alone(const Grid& grid, double unit) {
+    PaperScales scales;
+    for (const SheetSide& side : grid.sides) {
+        const bool own = side.detail && !side.detail->scale.empty();
+        scales.push_back(own ? unit * parse_scale("the scale of a detail", side.detail->scale) : 0);
+    }
+    return scales;
+}
+
+bool enlarges_details(const Grid& grid, double scale) {
+    return std::ranges::all_of(grid.sides, [&](const SheetSide& side) {
+        return !side.detail || side.detail->scale.empty() ||
+               parse_scale("the scale of a detail", side.detail->scale) > scale;
+    });
+}
+
 /// The layout at the largest scale of ISO 5455 that fits. Throws UsageError if none does.
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
-    if (!places_on(grid, 0, frame, block))
+    if (!places_on(grid, PaperScales(grid.sides.size(), 0), frame, block))
         throw UsageError("the page has no room for so many views; take a larger page");
-    const glm::dvec2 room = frame.size();
-    double largest =
-        std::min(room.x / (unit * sum(grid.columns)), room.y / (unit * sum(grid.rows)));
+    if (!places_on(grid, details_alone(grid, unit), frame, block))
+        throw UsageError("the page has no room for details of that scale; give them a smaller one, "
+                         "or take a larger page");
+    double largest = largest_scale(grid, unit, frame);
     for (;;) {
         const std::string scale = standard_scale(largest);
         if (scale.empty()) throw UsageError("the model is too large for any scale on this page");
         const double value = parse_scale("the scale", scale);
-        if (auto places = places_on(grid, unit * value, frame, block))
-            return {scale, std::move(*places)};
         constexpr double smaller = 0.99; // than the scale of the series
         largest = smaller * value;
+        if (!enlarges_details(grid, value)) continue;
+        std::vector<std::string> scales = scales_of(grid, scale);
+        if (auto places = places_on(grid, paper_scales(scales, unit), frame, block))
+            return {scale, std::move(scales), std::move(*places)};
     }
 }
 
 Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
         const SheetBox& block) {
     if (options.scale.empty()) return largest_fit(grid, options.unit, frame, block);
-    const double scale = options.unit * parse_scale("the scale", options.scale);
-    if (auto places = places_on(grid, scale, frame, block))
-        return {options.scale, std::move(*places)};
-    const auto paper = [&](const std::vector<double>& halves, const Gaps& gaps) {
-        return scale * sum(halves) + gaps.sum(halves.size());
+    std::vector<std::string> scales = scales_of(grid, options.scale);
+    const PaperScales on_paper = paper_scales(scales, options.unit);
+    if (auto places = places_on(grid, on_paper, frame, block))
+        return {options.scale, std::move(scales), std::move(*places)};
+    const Halves halves = halves_of(grid, on_paper);
+    const auto paper = [&](const std::vector<double>& all, const Gaps& gaps) {
+        return sum(all) + gaps.sum(all.size());
     };
     throw UsageError(fmt::format(
         "the scale {}: the views take {:.4g} x {:.4g} mm and the page has {:.4g} x {:.4g} mm "
         "within its frame, less the title block; {} fits",
-        options.scale, paper(grid.columns, grid.across), paper(grid.rows, grid.upwards),
+        options.scale, paper(halves.columns, grid.across), paper(halves.rows, grid.upwards),
         frame.size().x, frame.size().y, largest_fit(grid, options.unit, frame, block).scale));
 }
 
@@ -186,17 +253,24 @@ struct Pixels {
     }
 };
 
+/// Pixels per millimetre of a detail, in whose picture all of its view takes `paper` millimetres.
+double pixels_of_detail(glm::dvec2 paper) {
+    constexpr double longest = 32768; // pixels
+    return std::min(sheet_pixels, longest / std::max(paper.x, paper.y));
+}
+
 /// The view of a side whose cell has its middle at `place`. Scale and corner make up for the
 /// rounding of floats in the camera, so that views are aligned.
 SheetView view_of(const SheetSide& side, glm::dvec2 place, double scale, glm::dvec3 center,
                   const Bounds& bounds) {
     constexpr double around = 8; // pixels, so that no stroke is cut off
-    const glm::dvec2 extent = scale * sheet_pixels * (side.high - side.low) + 2 * around;
-    const glm::ivec2 size{glm::ceil(extent)};
+    const glm::dvec2 paper = scale * (side.picture_high - side.picture_low);
+    const double density = side.detail ? pixels_of_detail(paper) : sheet_pixels;
+    const glm::ivec2 size{glm::ceil(density * paper + 2 * around)};
     check_picture(size);
-    const glm::dvec2 middle = 0.5 * (side.low + side.high);
+    const glm::dvec2 middle = 0.5 * (side.picture_low + side.picture_high);
     const glm::dvec3 target = center + middle.x * side.right + middle.y * side.down;
-    const double height = size.y / (sheet_pixels * scale);
+    const double height = size.y / (density * scale);
     const double distance = 0.5 * height / std::tan(0.5 * double{View{}.fov_y});
     const View view{.eye = target + distance * glm::dvec3{side.direction.toward_eye},
                     .target = target,
@@ -205,6 +279,7 @@ SheetView view_of(const SheetSide& side, glm::dvec2 place, double scale, glm::dv
     SheetView result{.name = side.name,
                      .letter = side.letter,
                      .pictorial = side.pictorial,
+                     .detail = side.detail.has_value(),
                      .cut = side.cut,
                      .camera = make_camera(view, size, bounds)};
     const Pixels pixels{result.camera};
@@ -253,11 +328,13 @@ SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions&
     const SheetBox block = title_block_of(frame);
     const Fit found = fit(grid, options, frame, block);
     layout.scale = found.scale;
-    const double scale = options.unit * parse_scale("the scale", found.scale);
+    const PaperScales scales = paper_scales(found.scales, options.unit);
     for (std::size_t i = 0; i < grid.sides.size(); ++i)
-        layout.views.push_back(view_of(grid.sides[i], found.places[i], scale, center, bounds));
+        layout.views.push_back(view_of(grid.sides[i], found.places[i], scales[i], center, bounds));
     add_frame(layout);
+    const double scale = options.unit * parse_scale("the scale", found.scale);
     add_sections(layout, grid.sides, found.places, scale, center);
+    add_details(layout, grid.sides, found.places, scale, found.scales);
     add_title_block(
         layout, block, options.fields,
         {.scale = layout.scale, .page = page_name(options.page), .angle = options.angle});

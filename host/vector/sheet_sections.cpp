@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -17,7 +20,7 @@ constexpr double overhang = 10; ///< of the line beyond the view
 constexpr double shaft = 9;
 constexpr double head_length = 4, head_half_width = 1.07; ///< 30 degrees, open
 constexpr double letter_height = 5;
-constexpr double from_shaft = 2.2, above_view = 4; ///< of letters
+constexpr double from_shaft = 2.2, from_circle = 1, above_view = 4; ///< of letters
 
 /// The line between two points. It begins and ends with a dash, and dashes are of one length.
 void add_chain(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to) {
@@ -73,6 +76,11 @@ void add_section(SheetMarks& marks, const SheetSide& section, const SheetSide& s
     add_cutting_line(marks, point(shown.low), point(shown.high), -toward_eye, section.letter);
 }
 
+void add_title(SheetMarks& marks, const SheetView& view, std::string title) {
+    marks.text({0.5 * (view.low.x + view.high.x), view.low.y - above_view}, letter_height,
+               std::move(title), TextAnchor::middle);
+}
+
 } // namespace
 
 void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
@@ -80,11 +88,29 @@ void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
     SheetMarks marks{layout, "sections"};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const SheetSide& side = sides[i];
-        if (!side.cut) continue;
-        add_section(marks, side, sides[side.cut_on], places[side.cut_on], scale, center);
+        if (!side.cut || side.detail) continue;
+        add_section(marks, side, sides[side.shown_on], places[side.shown_on], scale, center);
+        add_title(marks, layout.views[i], side.letter + "-" + side.letter);
+    }
+}
+
+void add_details(SheetLayout& layout, std::span<const SheetSide> sides,
+                 std::span<const glm::dvec2> places, double scale,
+                 std::span<const std::string> scales) {
+    SheetMarks marks{layout, "details"};
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const SheetSide& side = sides[i];
+        if (!side.detail) continue;
+        const SheetSide& shown = sides[side.shown_on];
+        const glm::dvec2 center = places[side.shown_on] + scale * (side.middle - shown.middle);
+        const double radius = scale * side.detail->radius;
+        marks.circle(center, radius, thin);
+        const double out = (radius + from_circle) * std::numbers::sqrt2 / 2;
+        marks.text(center + glm::dvec2{out, -out}, letter_height, side.letter);
         const SheetView& view = layout.views[i];
-        marks.text({0.5 * (view.low.x + view.high.x), view.low.y - above_view}, letter_height,
-                   side.letter + "-" + side.letter, TextAnchor::middle);
+        const glm::dvec2 size = view.high - view.low;
+        marks.circle(view.low + 0.5 * size, 0.5 * size.x, thin);
+        add_title(marks, view, side.letter + " (" + scales[i] + ")");
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include <glm/vec2.hpp>
 
@@ -9,8 +10,9 @@
 
 namespace lineatlas {
 
-/// The space that a cutting-plane line needs around its view, and the letters above a section.
-constexpr double space_for_sections = 24;
+/// The space that a cutting-plane line needs around its view, and letters above a section or a
+/// detail.
+constexpr double space_for_letters = 24;
 
 /// Draws for each section the line of its plane on the view that it cuts, with arrows in the
 /// direction of sight and its letter, and letters such as "A-A" above the section (ISO 128-3).
@@ -18,5 +20,11 @@ constexpr double space_for_sections = 24;
 /// the model. `center`: the middle of the model.
 void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
                   std::span<const glm::dvec2> places, double scale, glm::dvec3 center);
+
+/// Draws for each detail its circle and letter on the view that shows it, and a circle and letters
+/// such as "B (2:1)" about the detail. `scales`: of all sides, as in "2:1".
+void add_details(SheetLayout& layout, std::span<const SheetSide> sides,
+                 std::span<const glm::dvec2> places, double scale,
+                 std::span<const std::string> scales);
 
 } // namespace lineatlas

@@ -37,6 +37,8 @@ SheetSide side_of(const std::string& name, const std::string& from,
         side.low = glm::min(side.low, at);
         side.high = glm::max(side.high, at);
     }
+    side.picture_low = side.low;
+    side.picture_high = side.high;
     if (side.pictorial) side.middle = 0.5 * (side.low + side.high);
     return side;
 }
@@ -93,6 +95,43 @@ std::size_t side_with_line(const SheetSide& section, const std::vector<SheetSide
     return static_cast<std::size_t>(found - sides.begin());
 }
 
+/// `origin`: the middle of the model in the file's coordinates.
+SheetSide detail_side(const SheetDetail& detail, const std::vector<SheetSide>& sides,
+                      glm::dvec3 origin) {
+    const auto shown = std::ranges::find(sides, detail.view, &SheetSide::name);
+    if (shown == sides.end() || shown->detail)
+        throw UsageError(
+            fmt::format("a detail of \"{}\": the sheet has no such view", detail.view));
+    SheetSide side = *shown;
+    side.side.clear();
+    side.letter.clear();
+    side.detail = detail;
+    side.shown_on = static_cast<std::size_t>(shown - sides.begin());
+    const glm::dvec3 offset = detail.center - origin;
+    side.middle = {glm::dot(offset, side.right), glm::dot(offset, side.down)};
+    side.low = side.middle - detail.radius;
+    side.high = side.middle + detail.radius;
+    const glm::dvec2 beside = glm::max(shown->low - side.middle, side.middle - shown->high);
+    if (!(std::max(beside.x, beside.y) < detail.radius))
+        throw UsageError(fmt::format("a detail of \"{}\": its circle about {:g},{:g},{:g} lies "
+                                     "beside the model",
+                                     detail.view, detail.center.x, detail.center.y,
+                                     detail.center.z));
+    return side;
+}
+
+void give_letters(std::vector<SheetSide>& sides) {
+    std::size_t letters = 0;
+    for (SheetSide& side : sides) {
+        if (!side.cut && !side.detail) continue;
+        if (letters == reference_letters.size())
+            throw UsageError(fmt::format("a sheet has letters for {} sections and details at most",
+                                         reference_letters.size()));
+        side.letter.assign(1, reference_letters[letters++]);
+        if (side.detail) side.name = std::string{"detail_"}.append(side.letter);
+    }
+}
+
 } // namespace
 
 glm::dvec2 SheetSide::reach() const {
@@ -112,15 +151,11 @@ std::vector<SheetSide> sheet_sides(std::span<const glm::vec3> points, const Boun
     for (const std::string& view : options.views)
         sides.push_back(section_of(view) ? section_side(view, points, bounds, options)
                                          : side_of(view, view, points, center, options.up));
-    std::size_t letters = 0;
-    for (SheetSide& side : sides) {
-        if (!side.cut) continue;
-        if (letters == reference_letters.size())
-            throw UsageError(fmt::format("a sheet has letters for {} sections at most",
-                                         reference_letters.size()));
-        side.letter = reference_letters.substr(letters++, 1);
-        side.cut_on = side_with_line(side, sides);
-    }
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        if (sides[i].cut) sides[i].shown_on = side_with_line(sides[i], sides);
+    for (const SheetDetail& detail : options.details)
+        sides.push_back(detail_side(detail, sides, center + options.origin));
+    give_letters(sides);
     return sides;
 }
 

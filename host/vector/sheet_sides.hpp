@@ -16,15 +16,19 @@ namespace lineatlas {
 /// A view as it looks at the model. Lengths are in units of the model, from its middle, y down.
 struct SheetSide {
     std::string name;
-    std::string side; ///< from which it looks: name, or that of a section
+    std::string side; ///< from which it looks: name, or that of a section; empty: a detail
     std::string letter{};
     bool pictorial = false;
     ViewDirection direction{};
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model
     glm::dvec2 low{0}, high{0};   ///< its box on paper
-    glm::dvec2 middle{0};         ///< the point in the middle of its cell
+    /// Box of the picture, of a detail that of all of the view: loops are whole before they are
+    /// clipped.
+    glm::dvec2 picture_low{0}, picture_high{0};
+    glm::dvec2 middle{0}; ///< the point in the middle of its cell
     std::optional<SectionPlane> cut{};
-    std::size_t cut_on = 0; ///< of a section: the side that shows its plane as a line
+    std::optional<SheetDetail> detail{};
+    std::size_t shown_on = 0; ///< the side that shows a section's plane as a line, or a detail
 
     /// How far it reaches from the middle of its cell.
     glm::dvec2 reach() const;
@@ -33,8 +37,9 @@ struct SheetSide {
 /// The plane of a view such as "section:x=12", as it is written; nothing if the view is no section.
 std::optional<std::string_view> section_of(std::string_view view);
 
-/// The views of options, as they look at these points. Throws UsageError for a section that misses
-/// the points or that no other view shows as a line, and for more sections than letters.
+/// The views and then the details of options, as they look at these points. Throws UsageError for a
+/// section that misses the points or that no other view shows as a line, for a detail beside its
+/// view, and for more of both than letters.
 std::vector<SheetSide> sheet_sides(std::span<const glm::vec3> points, const Bounds& bounds,
                                    const SheetOptions& options);
 

@@ -1,6 +1,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -26,6 +27,8 @@ namespace {
 using MaybeStyle = Argument<std::optional<StyleOrName>, "style",
                             "a Style, the name of one or the path of a style file">;
 using MaybeViews = Argument<std::optional<std::string>, "views", "text such as \"front,top\"">;
+using Details =
+    Argument<std::vector<std::string>, "details", "a list of texts, such as [\"front/20,35,0/8\"]">;
 using MaybeAngle = Argument<std::optional<std::string>, "angle", "\"first\" or \"third\"">;
 using MaybePage = Argument<std::optional<std::string>, "page", "text such as \"a4\"">;
 using MaybeScale = Argument<std::optional<std::string>, "scale", "text such as \"1:2\"">;
@@ -45,9 +48,10 @@ ModelLines cut_lines(const ModelLines& whole, const SectionPlane& plane, const P
     return find_lines(std::move(rest), whole.options, asked);
 }
 
-/// What a view shows of what the drawer has. `style`: with lengths in pixels of the view.
+/// What a view shows of what the drawer has.
 SeenLines seen(Drawer& drawer, const std::shared_ptr<const ModelLines>& subject,
-               const SheetView& view, const Style& style, const Progress& asked) {
+               const SheetView& view, const Style& of_sheet, const Progress& asked) {
+    const Style style = style_of_view(of_sheet, view);
     const glm::ivec2 size = view.camera.size;
     FoundIntervals found =
         drawer.intervals(view.camera, path_options({}, style, {size.x, size.y}), true, asked);
@@ -66,17 +70,16 @@ VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style, std::
     const Framing framing = framing_of(subject->lines);
     of_framing = framing.note;
     const SheetLayout layout = lay_out_sheet(framing.points, options);
-    const Style of_views = style_of_view(style, layout.views.front());
     std::shared_ptr<const ModelLines> cut; // of the view that is drawn
     const auto find = [&](const SheetView& view) -> SeenLines {
-        if (!view.cut) return seen(drawer, subject, view, of_views, asked);
+        if (!view.cut) return seen(drawer, subject, view, style, asked);
         if (drawer.is_changed())
             throw UsageError(view.name +
                              ": the model was changed after it was made; a section is of "
                              "a mesh as it is");
         Drawer rest{cut_lines(*subject, *view.cut, asked), drawer.device()};
         cut = rest.subject();
-        SeenLines found = seen(rest, cut, view, of_views, asked);
+        SeenLines found = seen(rest, cut, view, style, asked);
         found.lines = &cut->lines;
         found.mesh = &cut->model->mesh;
         return found;
@@ -101,10 +104,10 @@ void check_type(const std::string& type) {
 }
 
 py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& views,
-                    const MaybeAngle& angle, const MaybePage& page, const MaybeScale& scale,
-                    Real<"unit"> unit, const UpArgument& up, const Fields& fields,
-                    Flag<"measures"> measures, const MaybeStyle& style, Flag<"tags"> tags,
-                    Flag<"transparent"> transparent, Flag<"curves"> curves,
+                    const Details& details, const MaybeAngle& angle, const MaybePage& page,
+                    const MaybeScale& scale, Real<"unit"> unit, const UpArgument& up,
+                    const Fields& fields, Flag<"measures"> measures, const MaybeStyle& style,
+                    Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"curves"> curves,
                     Flag<"fit_arcs"> fit_arcs, Real<"dpi"> dpi, const py::object& progress) {
     check_type(type);
     SheetOptions options{.scale = scale->value_or(""),
@@ -113,6 +116,7 @@ py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& 
                          .fields = fields_of(fields),
                          .measures = measures};
     if (*views) options.views = parse_views(**views);
+    for (const std::string& detail : *details) options.details.push_back(parse_detail(detail));
     if (*angle) options.angle = parse_projection_angle(**angle);
     if (*page) options.page = parse_page(**page);
     const Style own = *style ? style_of(style) : load_style("technical");
@@ -134,16 +138,20 @@ py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& 
 void bind_sheets(py::class_<Drawer>& renderer) {
     renderer.def(
         "to_sheet", &to_sheet, py::kw_only(), py::arg("type") = "svg",
-        py::arg("views") = py::none(), py::arg("angle") = py::none(), py::arg("page") = py::none(),
-        py::arg("scale") = py::none(), py::arg("unit") = 1.0F, py::arg("up") = "y",
-        py::arg("fields") = py::dict(), py::arg("measures") = false, py::arg("style") = py::none(),
-        py::arg("tags") = true, py::arg("transparent") = false, py::arg("curves") = true,
-        py::arg("fit_arcs") = false, py::arg("dpi") = 150.0F, py::arg("progress") = py::none(),
+        py::arg("views") = py::none(), py::arg("details") = py::list(),
+        py::arg("angle") = py::none(), py::arg("page") = py::none(), py::arg("scale") = py::none(),
+        py::arg("unit") = 1.0F, py::arg("up") = "y", py::arg("fields") = py::dict(),
+        py::arg("measures") = false, py::arg("style") = py::none(), py::arg("tags") = true,
+        py::arg("transparent") = false, py::arg("curves") = true, py::arg("fit_arcs") = false,
+        py::arg("dpi") = 150.0F, py::arg("progress") = py::none(),
         "Several views of the model on one page, aligned and to scale, with a frame and a title\n"
         "block. type: \"svg\" or \"dxf\" (text), \"pdf\" (bytes) or \"picture\" (a uint8 array as\n"
         "that of draw(), `dpi` pixels per inch). views: sides to look from, as in\n"
         "\"front,30,20,top\", and sections, as in \"front,section:x=12\"; none: front, top, right\n"
-        "and isometric. angle: of projection, \"first\" or\n\"third\", which it is for none. page: "
+        "and isometric. details: parts of views once more, larger: a view, a point and a radius, "
+        "and\n"
+        "perhaps a scale, as in \"front/20,35,0/8/5:1\". angle: of projection, \"first\" "
+        "or\n\"third\", which it is for none. page: "
         "none: \"a3\". scale: as in \"1:2\"; "
         "none:\n"
         "the largest of ISO 5455 that fits. unit: millimetres in a unit of the model. fields: "

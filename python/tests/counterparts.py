@@ -135,6 +135,8 @@ ELSEWHERE = {
     "ProjectionAngle.*": "Renderer.to_sheet(angle)", "parse_projection_angle()": "Renderer.to_sheet(angle)",
     "SheetFields.*": "Renderer.to_sheet(fields)", "set_field()": "Renderer.to_sheet(fields)",
     "SheetOptions": "Renderer.to_sheet()", "SheetOptions.views": "Renderer.to_sheet(views)",
+    "SheetOptions.details": "Renderer.to_sheet(details)", "SheetDetail.*": "Renderer.to_sheet(details)",
+    "parse_detail()": "Renderer.to_sheet(details)",
     "SheetOptions.angle": "Renderer.to_sheet(angle)", "SheetOptions.page": "Renderer.to_sheet(page)",
     "SheetOptions.scale": "Renderer.to_sheet(scale)", "SheetOptions.unit": "Renderer.to_sheet(unit)",
     "SheetOptions.up": "Renderer.to_sheet(up)", "SheetOptions.origin": "Mesh.origin", "SheetOptions.fields": "Renderer.to_sheet(fields)",

@@ -49,6 +49,8 @@ class Sheets(FolderTest):
             svg = renderer.to_sheet(views="front,section:x=50%", scale="1:1")
             for text in (">A<", ">A-A<", 'id="section_A-hatching"'):
                 self.assertIn(text, svg)
+            svg = renderer.to_sheet(views="front", details=["front/20,30,0/4/5:1"], scale="1:1")
+            self.assertIn(">A (5:1)<", svg)
             renderer.set_positions(BOX * 2)
             with self.assertRaisesRegex(lineatlas.UsageError, "the model was changed"):
                 renderer.to_sheet(views="front,section:x=50%")

@@ -300,6 +300,35 @@ TEST_F(Sheets, ASectionShowsWhatItsPlaneCuts) {
     EXPECT_EQ(sizes("1:1", "--hatching none"), "10.000 10.000\n10.000 10.000\nFalse\n");
 }
 
+/// A cylinder with a radius of 50 mm, seen along its axis. A circle about a place of its border
+/// leaves twice 4 asin(r / 100) of it.
+TEST_F(Sheets, ADetailKeepsArcs) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("arcs.py", "import sys, ezdxf\n"
+                     "drawing = ezdxf.readfile(sys.argv[1])\n"
+                     "audit = drawing.audit()\n"
+                     "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+                     "for arc in drawing.query('ARC'):\n"
+                     "    span = (arc.dxf.end_angle - arc.dxf.start_angle) % 360\n"
+                     "    print(arc.dxf.layer, '%.2f %.2f' % (arc.dxf.radius, span))\n"
+                     "for circle in drawing.query('CIRCLE[layer==\"details\"]'):\n"
+                     "    print('%.3f' % circle.dxf.radius)\n"
+                     "for text in drawing.query('TEXT[layer==\"details\"]'):\n"
+                     "    print(text.dxf.text)\n");
+    const auto found = [&](const std::string& scale, const std::string& detail) {
+        const Result made =
+            run("draw " + path("cylinder.obj") + " --up y --compute cpp --views front --detail " +
+                detail + " -o " + path("a.dxf") + " --scale " + scale);
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        return shell(python + path("arcs.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    // 4 asin(0.2) are 46.15 degrees.
+    EXPECT_EQ(found("1:1", "front/50,0,0/20"),
+              "detail_A-crease 100.00 46.15\n20.000\n40.000\nA\nA (2:1)\n");
+    EXPECT_EQ(found("1:2", "front/50,0,0/20/5:2"),
+              "detail_A-crease 125.00 46.15\n10.000\n50.000\nA\nA (5:2)\n");
+}
+
 TEST_F(Sheets, AutoSaysWhatAPartIs) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
@@ -331,6 +360,9 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     expect_refused(to + "front,top,front", 2, "\"front\" is named twice");
     expect_refused(to + "front,section:z=50", 2, "no view shows its plane as a line; add top");
     expect_refused(to + "top,section:z=500", 2, "misses the model, which goes from z=0 to 100");
+    expect_refused(to + "front --detail front/0,0,0", 2, "as in front/20,35,0/8");
+    expect_refused(to + "front --detail front/900,0,0/5", 2, "lies beside the model");
+    expect_refused(draw + path("x.svg") + " --detail front/0,0,0/5", 2, "see --views");
     expect_refused(to + "front --hatching none", 2, "for sections of --views");
     expect_refused(to + "front --view top", 2, "--views and --view exclude each other");
     expect_refused(to + "front --margin 5mm", 2, "--views and --margin exclude each other");

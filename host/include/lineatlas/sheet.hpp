@@ -50,6 +50,20 @@ struct SheetFields {
 /// Sets the field of that name, such as "title". Throws UsageError that lists all names.
 LINEATLAS_API void set_field(SheetFields& fields, std::string_view name, std::string value);
 
+/// A part of a view that is drawn once more, larger: a detail.
+struct SheetDetail {
+    std::string view;     ///< the view that shows it, as in SheetOptions::views
+    glm::dvec3 center{0}; ///< of the circle around it, in the coordinates of sections' planes
+    double radius = 0;    ///< of the circle, units of the model, above 0
+    /// Its own, as in "5:1", larger than that of the sheet; empty: the smallest of ISO 5455 that is
+    /// at least twice that of the sheet.
+    std::string scale{};
+};
+
+/// "front/20,35,0/8" as the detail of the view "front" about that point with a radius of 8;
+/// "front/20,35,0/8/5:1" at that scale. Throws UsageError for any other text.
+LINEATLAS_API SheetDetail parse_detail(std::string_view text);
+
 /// The contents and the layout of a sheet.
 struct SheetOptions {
     /// Sides to look from, as view_direction() takes them, each once. The six named sides are
@@ -59,6 +73,8 @@ struct SheetOptions {
     /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
     /// on the right of it, and the first view that shows the plane as a line has that line.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
+    /// Details, each placed where there is room. Letters go on after those of sections.
+    std::vector<SheetDetail> details{};
     ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
     /// The page, by default A3. A page with `turns` stands upright if it is at most as wide as A4,
     /// otherwise it lies on its side (ISO 5457).
@@ -82,11 +98,12 @@ LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
 
 /// A view and its place on the sheet.
 struct SheetView {
-    std::string name;       ///< as in SheetOptions::views
-    std::string letter{};   ///< of a section, as "A"
+    std::string name;       ///< as in SheetOptions::views; of a detail with its letter, "detail_B"
+    std::string letter{};   ///< of a section or a detail, as "A"
     bool pictorial = false; ///< not aligned with others; without hidden lines
-    /// Of a section: the plane that cuts the model, in the coordinates of its points. The view
-    /// shows what cut_mesh() leaves, without hidden lines.
+    bool detail = false;    ///< nothing is drawn outside of the circle in its box
+    /// Of a section, and a detail of one: the plane that cuts the model, in the coordinates of its
+    /// points. The view shows what cut_mesh() leaves, without hidden lines.
     std::optional<SectionPlane> cut{};
     Camera camera{};      ///< draws the view; orthographic
     double scale = 1;     ///< millimetres of paper in a pixel of the camera's picture
@@ -97,7 +114,7 @@ struct SheetView {
 
 /// A line of the sheet itself, straight from point to point.
 struct SheetLine {
-    /// "frame", "title-block", "sections", "dimensions", "axes" or "scale-bar".
+    /// "frame", "title-block", "sections", "details", "dimensions", "axes" or "scale-bar".
     std::string layer;
     double width = 0.25;            ///< millimetres
     std::vector<glm::dvec2> points; ///< millimetres; two at least
@@ -132,18 +149,19 @@ struct SheetText {
 /// corner, y down.
 struct SheetLayout {
     glm::dvec2 size{0};                 ///< of the page
-    std::string scale{};                ///< of all views, as in "1:2"
+    std::string scale{};                ///< of all views but details, as in "1:2"
     std::string title{};                ///< of the document
     bool measures = false;              ///< as in SheetOptions
-    std::vector<SheetView> views{};     ///< in the order in which they were asked for
+    std::vector<SheetView> views{};     ///< in the order in which they were asked for, then details
     std::vector<SheetLine> lines{};     ///< of the sheet's own
-    std::vector<SheetCircle> circles{}; ///< of the symbol in the title block
+    std::vector<SheetCircle> circles{}; ///< of details and of the symbol in the title block
     std::vector<SheetText> texts{};     ///< of frame and title block
 };
 
 /// Lays out a sheet for a model with these points, such as LineSet::vertices. Throws UsageError if
 /// there are no points, for options out of range, for a section that misses the model or whose
-/// plane no other view shows as a line, for more sections than letters (A to Z without I and O),
+/// plane no other view shows as a line, for a detail beside its view or no larger than it, for more
+/// sections and details than letters (A to Z without I and O),
 /// for a page without room for the views, and for a scale that does not fit; the message then names
 /// one that fits.
 LINEATLAS_API SheetLayout lay_out_sheet(std::span<const glm::vec3> points,
