@@ -119,6 +119,7 @@ OutputPlaces output_places(const DrawArguments& arguments) {
     places.reads(arguments.session);
     for (const std::filesystem::path& model : arguments.models) places.reads(model);
     places.reads(arguments.style.name());
+    if (SheetArguments::is_file(arguments.view)) places.reads(arguments.view.views());
     places.writes("--output", arguments.output);
     return places;
 }

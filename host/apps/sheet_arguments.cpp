@@ -1,5 +1,6 @@
 #include "sheet_arguments.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -29,14 +30,17 @@ void set_field(SheetFields& fields, const std::string& text) {
     lineatlas::set_field(fields, text.substr(0, equals), text.substr(equals + 1));
 }
 
-std::vector<std::string> views_of(const ViewOptions& view) {
-    if (SheetArguments::wants_summary(view)) return SheetOptions{}.views;
-    return parse_views(view.views());
-}
-
-ProjectionAngle angle_of(const ViewOptions& view) {
-    const std::string& name = view.projection_name();
-    return name.empty() ? SheetOptions{}.angle : parse_projection_angle(name);
+/// The sheet as --views, --projection and --scale have it, the other two over what a file says.
+SheetOptions sheet_of(const ViewOptions& view) {
+    SheetOptions options;
+    if (SheetArguments::is_file(view))
+        options = load_sheet(view.views());
+    else if (!SheetArguments::wants_summary(view))
+        options.views = parse_views(view.views());
+    if (!view.projection_name().empty())
+        options.angle = parse_projection_angle(view.projection_name());
+    if (view.to_scale()) options.scale = view.scale();
+    return options;
 }
 
 } // namespace
@@ -65,8 +69,7 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
     for (const char* option : not_of_sheets)
         if (app_->count(option) > 0)
             throw UsageError(fmt::format("--views and {} exclude each other", option));
-    views_of(view);
-    angle_of(view);
+    sheet_of(view);
     if (view.to_scale()) parse_scale("--scale", view.scale());
     SheetFields fields;
     for (const std::string& field : fields_) set_field(fields, field);
@@ -79,24 +82,23 @@ void SheetArguments::check(const ViewOptions& view, const std::filesystem::path&
 }
 
 bool SheetArguments::has_sections(const ViewOptions& view) {
-    return view.views().find("section:") != std::string::npos;
+    const auto is_section = [](const std::string& name) { return name.starts_with("section:"); };
+    return view.is_sheet() && std::ranges::any_of(sheet_of(view).views, is_section);
 }
 
 SheetOptions SheetArguments::options(const ViewOptions& view, const std::optional<Page>& page,
                                      const std::filesystem::path& model,
                                      std::optional<double> unit_of_file, glm::vec3 up,
                                      glm::dvec3 origin) const {
-    SheetOptions options{.views = views_of(view),
-                         .angle = angle_of(view),
-                         .scale = view.scale(),
-                         .unit = view.unit(unit_of_file),
-                         .up = up,
-                         .origin = origin,
-                         .measures = wants_summary(view)};
+    SheetOptions options = sheet_of(view);
+    options.unit = view.unit(unit_of_file);
+    options.up = up;
+    options.origin = origin;
+    options.measures = wants_summary(view);
     if (page) options.page = *page;
     for (const std::string& detail : details_) options.details.push_back(parse_detail(detail));
-    options.fields.title = model.stem().string();
-    options.fields.file = model.filename().string();
+    if (options.fields.title.empty()) options.fields.title = model.stem().string();
+    if (options.fields.file.empty()) options.fields.file = model.filename().string();
     for (const std::string& field : fields_) set_field(options.fields, field);
     return options;
 }

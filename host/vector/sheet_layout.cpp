@@ -30,13 +30,14 @@ struct Gaps {
     double first, between, last;
 
     double sum(std::size_t views) const {
+        if (views == 0) return 0;
         return first + between * static_cast<double>(views - 1) + last;
     }
 };
 
 constexpr double least_gap = 10;
 
-/// The sides of a model in a grid.
+/// The sides of a model in a grid, but for those that were placed by hand.
 struct Grid {
     std::vector<SheetSide> sides;
     std::vector<SheetCell> cells;
@@ -46,7 +47,7 @@ struct Grid {
 std::vector<SheetCell> cells_of(const std::vector<SheetSide>& sides, ProjectionAngle angle) {
     std::vector<WantedCell> wanted;
     for (const SheetSide& side : sides)
-        wanted.push_back({.side = side.side, .yields = side.cut.has_value()});
+        if (!side.at) wanted.push_back({.side = side.side, .yields = side.cut.has_value()});
     return sheet_cells(wanted, angle);
 }
 
@@ -60,7 +61,9 @@ Grid grid_of(std::vector<SheetSide> sides, const SheetOptions& options) {
               .cells = {},
               .across = {measured, measured, least},
               .upwards = {least, measured, measured}};
-    grid.cells = cells_of(grid.sides, options.angle);
+    const std::vector<SheetCell> cells = cells_of(grid.sides, options.angle);
+    auto next = cells.begin();
+    for (const SheetSide& side : grid.sides) grid.cells.push_back(side.at ? SheetCell{} : *next++);
     return grid;
 }
 
@@ -80,6 +83,7 @@ Halves halves_of(const Grid& grid, const PaperScales& scales) {
         all[place] = std::max(all[place], half);
     };
     for (std::size_t i = 0; i < grid.sides.size(); ++i) {
+        if (grid.sides[i].at) continue;
         const glm::dvec2 reach = scales[i] * grid.sides[i].reach();
         widen(halves.columns, grid.cells[i].column, reach.x);
         widen(halves.rows, grid.cells[i].row, reach.y);
@@ -91,16 +95,15 @@ Halves halves_of(const Grid& grid, const PaperScales& scales) {
 /// larger than its view.
 std::vector<std::string> scales_of(const Grid& grid, const std::string& sheet) {
     std::vector<std::string> scales;
-    const double value = parse_scale("the scale", sheet);
     for (const SheetSide& side : grid.sides) {
-        const bool own = side.detail && !side.detail->scale.empty();
-        scales.push_back(!side.detail ? sheet
-                         : own        ? side.detail->scale
-                                      : enlarging_scale(2 * value));
+        const std::string of_view = side.detail ? scales[side.shown_on] : sheet;
+        const double value = parse_scale("the scale", of_view);
+        const std::string usual = side.detail ? enlarging_scale(2 * value) : sheet;
+        scales.push_back(side.scale.empty() ? usual : side.scale);
         if (!side.detail || parse_scale("the scale of a detail", scales.back()) > value) continue;
         throw UsageError(fmt::format("the scale {} of a detail of \"{}\" must be larger than {}, "
-                                     "that of the sheet",
-                                     scales.back(), side.detail->view, sheet));
+                                     "that of the view",
+                                     scales.back(), side.detail->view, of_view));
     }
     return scales;
 }
@@ -134,7 +137,8 @@ std::optional<std::vector<double>> spread(const std::vector<double>& halves, dou
     return middles;
 }
 
-/// Middles of the cells of all sides in this space; nothing if they have no room.
+/// Middles of the cells of all sides in this space, and places by hand; nothing if the cells have
+/// no room.
 std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, const PaperScales& scales,
                                                  const SheetBox& space) {
     const Halves halves = halves_of(grid, scales);
@@ -142,9 +146,16 @@ std::optional<std::vector<glm::dvec2>> places_in(const Grid& grid, const PaperSc
     const auto rows = spread(halves.rows, space.low.y, space.high.y, grid.upwards);
     if (!columns || !rows) return {};
     std::vector<glm::dvec2> places;
-    for (const SheetCell& cell : grid.cells)
-        places.push_back({(*columns)[static_cast<std::size_t>(cell.column)],
-                          (*rows)[static_cast<std::size_t>(cell.row)]});
+    for (std::size_t i = 0; i < grid.sides.size(); ++i) {
+        const SheetSide& side = grid.sides[i];
+        if (side.at) {
+            const glm::dvec2 middle = 0.5 * (side.low + side.high) - side.middle;
+            places.push_back(*side.at - scales[i] * middle);
+        } else {
+            places.push_back({(*columns)[static_cast<std::size_t>(grid.cells[i].column)],
+                              (*rows)[static_cast<std::size_t>(grid.cells[i].row)]});
+        }
+    }
     return places;
 }
 
@@ -152,16 +163,43 @@ SheetBox box_on_paper(const SheetSide& side, glm::dvec2 place, double scale) {
     return {place + scale * (side.low - side.middle), place + scale * (side.high - side.middle)};
 }
 
-/// Middles of the cells on a page beside the title block, or above it if a view would meet the
-/// block.
+/// Middles of the cells on a page beside the title block, or above it if a view in a cell would
+/// meet the block.
 std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, const PaperScales& scales,
                                                  const SheetBox& frame, const SheetBox& block) {
     auto places = places_in(grid, scales, frame);
     if (!places) return {};
     for (std::size_t i = 0; i < places->size(); ++i)
-        if (box_on_paper(grid.sides[i], (*places)[i], scales[i]).meets(block, grid.upwards.last))
+        if (!grid.sides[i].at &&
+            box_on_paper(grid.sides[i], (*places)[i], scales[i]).meets(block, grid.upwards.last))
             return places_in(grid, scales, {frame.low, {frame.high.x, block.low.y}});
     return places;
+}
+
+/// What is wrong with views that were placed by hand; empty: nothing.
+std::string trouble_by_hand(const Grid& grid, const PaperScales& scales,
+                            const std::vector<glm::dvec2>& places, const SheetBox& frame,
+                            const SheetBox& block) {
+    const auto box = [&](std::size_t i) {
+        return box_on_paper(grid.sides[i], places[i], scales[i]);
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const SheetSide& side = grid.sides[i];
+        if (!side.at) continue;
+        const auto trouble = [&](const std::string& what) {
+            return fmt::format("\"{}\", placed at {:g},{:g} mm, {}", side.name, side.at->x,
+                               side.at->y, what);
+        };
+        const SheetBox own = box(i);
+        const bool within = own.low.x >= frame.low.x && own.low.y >= frame.low.y &&
+                            own.high.x <= frame.high.x && own.high.y <= frame.high.y;
+        if (!within) return trouble("leaves the frame");
+        if (own.meets(block, 0)) return trouble("meets the title block");
+        for (std::size_t k = 0; k < places.size(); ++k)
+            if (k != i && own.meets(box(k), 0))
+                return trouble(fmt::format("meets \"{}\"", grid.sides[k].name));
+    }
+    return {};
 }
 
 struct Fit {
@@ -170,38 +208,55 @@ struct Fit {
     std::vector<glm::dvec2> places;
 };
 
-/// The largest scale at which the views fit if details are of no size.
+/// No scale is larger that fits: views have no room if those with scales of their own have no size.
 double largest_scale(const Grid& grid, double unit, const SheetBox& frame) {
+    glm::dvec2 largest{0}; // view
     PaperScales one;
-    for (const SheetSide& side : grid.sides) one.push_back(side.detail ? 0 : unit);
+    for (const SheetSide& side : grid.sides) {
+        const bool counts = !side.detail && side.scale.empty();
+        one.push_back(counts ? unit : 0);
+        if (counts) largest = glm::max(largest, unit * (side.high - side.low));
+    }
     const Halves halves = halves_of(grid, one);
-    return std::min(frame.size().x / sum(halves.columns), frame.size().y / sum(halves.rows));
+    largest = glm::max(largest, {sum(halves.columns), sum(halves.rows)});
+    return std::min(frame.size().x / largest.x, frame.size().y / largest.y);
 }
 
-/// Scales by which views are of no size, nor are details without a scale of their own.
-PaperScales details_alone(const Grid& grid, double unit) {
+/// Scales by which only views and details with a scale of their own have a size.
+PaperScales own_scales_alone(const Grid& grid, double unit) {
     PaperScales scales;
-    for (const SheetSide& side : grid.sides) {
-        const bool own = side.detail && !side.detail->scale.empty();
-        scales.push_back(own ? unit * parse_scale("the scale of a detail", side.detail->scale) : 0);
-    }
+    for (const SheetSide& side : grid.sides)
+        scales.push_back(side.scale.empty() ? 0 : unit * parse_scale("the scale", side.scale));
     return scales;
 }
 
+/// Whether each detail is larger than its view on a sheet of this scale.
 bool enlarges_details(const Grid& grid, double scale) {
+    const auto scale_of = [&](const SheetSide& side) {
+        return side.scale.empty() ? scale : parse_scale("the scale", side.scale);
+    };
     return std::ranges::all_of(grid.sides, [&](const SheetSide& side) {
-        return !side.detail || side.detail->scale.empty() ||
-               parse_scale("the scale of a detail", side.detail->scale) > scale;
+        return !side.detail || side.scale.empty() ||
+               scale_of(side) > scale_of(grid.sides[side.shown_on]);
     });
+}
+
+/// Throws UsageError if no scale of the sheet makes the views fit.
+void check_room(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
+    if (!places_on(grid, PaperScales(grid.sides.size(), 0), frame, block))
+        throw UsageError("the page has no room for so many views; take a larger page");
+    const PaperScales least = own_scales_alone(grid, unit);
+    const auto places = places_on(grid, least, frame, block);
+    if (!places)
+        throw UsageError("the page has no room for views and details of their own scales; give "
+                         "them smaller ones, or take a larger page");
+    const std::string trouble = trouble_by_hand(grid, least, *places, frame, block);
+    if (!trouble.empty()) throw UsageError(trouble + "; place it elsewhere");
 }
 
 /// The layout at the largest scale of ISO 5455 that fits. Throws UsageError if none does.
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
-    if (!places_on(grid, PaperScales(grid.sides.size(), 0), frame, block))
-        throw UsageError("the page has no room for so many views; take a larger page");
-    if (!places_on(grid, details_alone(grid, unit), frame, block))
-        throw UsageError("the page has no room for details of that scale; give them a smaller one, "
-                         "or take a larger page");
+    check_room(grid, unit, frame, block);
     double largest = largest_scale(grid, unit, frame);
     for (;;) {
         const std::string scale = standard_scale(largest);
@@ -211,18 +266,32 @@ Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const Shee
         largest = smaller * value;
         if (!enlarges_details(grid, value)) continue;
         std::vector<std::string> scales = scales_of(grid, scale);
-        if (auto places = places_on(grid, paper_scales(scales, unit), frame, block))
+        const PaperScales on_paper = paper_scales(scales, unit);
+        auto places = places_on(grid, on_paper, frame, block);
+        if (places && trouble_by_hand(grid, on_paper, *places, frame, block).empty())
             return {scale, std::move(scales), std::move(*places)};
     }
 }
 
+/// The scale of the sheet as it is given: if all views have scales of their own, that of the first.
+std::string given_scale(const Grid& grid, const SheetOptions& options) {
+    const auto has_own = [](const SheetSide& side) { return side.detail || !side.scale.empty(); };
+    const bool all = options.scale.empty() && std::ranges::all_of(grid.sides, has_own);
+    return all ? grid.sides.front().scale : options.scale;
+}
+
 Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
         const SheetBox& block) {
-    if (options.scale.empty()) return largest_fit(grid, options.unit, frame, block);
-    std::vector<std::string> scales = scales_of(grid, options.scale);
+    const std::string given = given_scale(grid, options);
+    if (given.empty()) return largest_fit(grid, options.unit, frame, block);
+    std::vector<std::string> scales = scales_of(grid, given);
     const PaperScales on_paper = paper_scales(scales, options.unit);
-    if (auto places = places_on(grid, on_paper, frame, block))
-        return {options.scale, std::move(scales), std::move(*places)};
+    if (auto places = places_on(grid, on_paper, frame, block)) {
+        const std::string trouble = trouble_by_hand(grid, on_paper, *places, frame, block);
+        if (!trouble.empty())
+            throw UsageError(trouble + "; place it elsewhere, or take a smaller scale");
+        return {given, std::move(scales), std::move(*places)};
+    }
     const Halves halves = halves_of(grid, on_paper);
     const auto paper = [&](const std::vector<double>& all, const Gaps& gaps) {
         return sum(all) + gaps.sum(all.size());
@@ -230,8 +299,8 @@ Fit fit(const Grid& grid, const SheetOptions& options, const SheetBox& frame,
     throw UsageError(fmt::format(
         "the scale {}: the views take {:.4g} x {:.4g} mm and the page has {:.4g} x {:.4g} mm "
         "within its frame, less the title block; {} fits",
-        options.scale, paper(halves.columns, grid.across), paper(halves.rows, grid.upwards),
-        frame.size().x, frame.size().y, largest_fit(grid, options.unit, frame, block).scale));
+        given, paper(halves.columns, grid.across), paper(halves.rows, grid.upwards), frame.size().x,
+        frame.size().y, largest_fit(grid, options.unit, frame, block).scale));
 }
 
 /// The pixels of a camera's picture, and pixels per unit of the model.
@@ -329,12 +398,14 @@ SheetLayout lay_out_sheet(std::span<const glm::vec3> points, const SheetOptions&
     const Fit found = fit(grid, options, frame, block);
     layout.scale = found.scale;
     const PaperScales scales = paper_scales(found.scales, options.unit);
-    for (std::size_t i = 0; i < grid.sides.size(); ++i)
+    for (std::size_t i = 0; i < grid.sides.size(); ++i) {
         layout.views.push_back(view_of(grid.sides[i], found.places[i], scales[i], center, bounds));
+        if (found.scales[i] != found.scale || grid.sides[i].detail)
+            layout.views.back().own_scale = found.scales[i];
+    }
     add_frame(layout);
-    const double scale = options.unit * parse_scale("the scale", found.scale);
-    add_sections(layout, grid.sides, found.places, scale, center);
-    add_details(layout, grid.sides, found.places, scale, found.scales);
+    add_sections(layout, grid.sides, found.places, scales, center);
+    add_details(layout, grid.sides, found.places, scales);
     add_title_block(
         layout, block, options.fields,
         {.scale = layout.scale, .page = page_name(options.page), .angle = options.angle});

@@ -30,7 +30,7 @@ constexpr double above_line = 1;                           ///< of a text
 struct MeasuredView {
     SheetBox box;                 ///< around its lines
     double tolerance = 0;         ///< of the box, millimetres
-    bool pictorial = false;       ///< or a section or detail, which need not show all of it
+    bool pictorial = false;       ///< or a section, or of another scale
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model; unit vectors
 };
 
@@ -46,7 +46,7 @@ MeasuredView measured(const SheetView& view, const VectorDrawing& drawing) {
                          : SheetBox{view.corner + view.scale * box.low,
                                     view.corner + view.scale * box.high},
             .tolerance = view.scale * (box.exact ? of_others : of_cubics),
-            .pictorial = view.pictorial || view.cut || view.detail,
+            .pictorial = view.pictorial || view.cut || !view.own_scale.empty(),
             .right = row(0),
             .down = -row(1)};
 }

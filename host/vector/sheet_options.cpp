@@ -55,6 +55,13 @@ void check_detail(const SheetDetail& detail) {
     if (!detail.scale.empty()) parse_scale("the scale of a detail", detail.scale);
 }
 
+void check_placement(const SheetPlacement& placed, const SheetOptions& options) {
+    if (std::ranges::find(options.views, placed.view) == options.views.end())
+        throw UsageError(fmt::format("the view \"{}\" has a place, but the sheet does not have it",
+                                     placed.view));
+    if (!placed.scale.empty()) parse_scale("the scale of a view", placed.scale);
+}
+
 /// Cuts off a text up to a slash.
 std::string_view take_part(std::string_view& text) {
     const std::string_view part = text.substr(0, text.find('/'));
@@ -99,6 +106,13 @@ void check_sheet_options(const SheetOptions& options) {
         if (std::find(options.views.begin(), view, *view) != view)
             throw UsageError(
                 fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));
+    }
+    for (auto placed = options.placements.begin(); placed != options.placements.end(); ++placed) {
+        check_placement(*placed, options);
+        if (std::find_if(options.placements.begin(), placed, [&](const SheetPlacement& other) {
+                return other.view == placed->view;
+            }) != placed)
+            throw UsageError(fmt::format("the view \"{}\" is placed twice", placed->view));
     }
     for (const SheetDetail& detail : options.details) check_detail(detail);
     if (!(options.unit > 0) || !std::isfinite(options.unit))

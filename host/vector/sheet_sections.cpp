@@ -84,24 +84,31 @@ void add_title(SheetMarks& marks, const SheetView& view, std::string title) {
 } // namespace
 
 void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
-                  std::span<const glm::dvec2> places, double scale, glm::dvec3 center) {
+                  std::span<const glm::dvec2> places, std::span<const double> scales,
+                  glm::dvec3 center) {
     SheetMarks marks{layout, "sections"};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const SheetSide& side = sides[i];
-        if (!side.cut || side.detail) continue;
-        add_section(marks, side, sides[side.shown_on], places[side.shown_on], scale, center);
-        add_title(marks, layout.views[i], side.letter + "-" + side.letter);
+        if (side.detail) continue;
+        const SheetView& view = layout.views[i];
+        std::string title = view.own_scale.empty() ? "" : "(" + view.own_scale + ")";
+        if (side.cut) {
+            add_section(marks, side, sides[side.shown_on], places[side.shown_on],
+                        scales[side.shown_on], center);
+            title = side.letter + "-" + side.letter + (title.empty() ? "" : " " + title);
+        }
+        if (!title.empty()) add_title(marks, view, title);
     }
 }
 
 void add_details(SheetLayout& layout, std::span<const SheetSide> sides,
-                 std::span<const glm::dvec2> places, double scale,
-                 std::span<const std::string> scales) {
+                 std::span<const glm::dvec2> places, std::span<const double> scales) {
     SheetMarks marks{layout, "details"};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const SheetSide& side = sides[i];
         if (!side.detail) continue;
         const SheetSide& shown = sides[side.shown_on];
+        const double scale = scales[side.shown_on];
         const glm::dvec2 center = places[side.shown_on] + scale * (side.middle - shown.middle);
         const double radius = scale * side.detail->radius;
         marks.circle(center, radius, thin);
@@ -110,7 +117,7 @@ void add_details(SheetLayout& layout, std::span<const SheetSide> sides,
         const SheetView& view = layout.views[i];
         const glm::dvec2 size = view.high - view.low;
         marks.circle(view.low + 0.5 * size, 0.5 * size.x, thin);
-        add_title(marks, view, side.letter + " (" + scales[i] + ")");
+        add_title(marks, view, side.letter + " (" + view.own_scale + ")");
     }
 }
 

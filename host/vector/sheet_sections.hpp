@@ -16,15 +16,16 @@ constexpr double space_for_letters = 24;
 
 /// Draws for each section the line of its plane on the view that it cuts, with arrows in the
 /// direction of sight and its letter, and letters such as "A-A" above the section (ISO 128-3).
-/// `places`: middles of the sides' cells in millimetres. `scale`: millimetres of paper per unit of
-/// the model. `center`: the middle of the model.
+/// A view with a scale of its own has that above it. `places`: middles of the sides' cells in
+/// millimetres. `scales`: millimetres of paper per unit of the model. `center`: the middle of the
+/// model.
 void add_sections(SheetLayout& layout, std::span<const SheetSide> sides,
-                  std::span<const glm::dvec2> places, double scale, glm::dvec3 center);
+                  std::span<const glm::dvec2> places, std::span<const double> scales,
+                  glm::dvec3 center);
 
 /// Draws for each detail its circle and letter on the view that shows it, and a circle and letters
-/// such as "B (2:1)" about the detail. `scales`: of all sides, as in "2:1".
+/// such as "B (2:1)" about the detail.
 void add_details(SheetLayout& layout, std::span<const SheetSide> sides,
-                 std::span<const glm::dvec2> places, double scale,
-                 std::span<const std::string> scales);
+                 std::span<const glm::dvec2> places, std::span<const double> scales);
 
 } // namespace lineatlas

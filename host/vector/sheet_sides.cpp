@@ -106,6 +106,8 @@ SheetSide detail_side(const SheetDetail& detail, const std::vector<SheetSide>& s
     side.side.clear();
     side.letter.clear();
     side.detail = detail;
+    side.at = detail.at;
+    side.scale = detail.scale;
     side.shown_on = static_cast<std::size_t>(shown - sides.begin());
     const glm::dvec3 offset = detail.center - origin;
     side.middle = {glm::dot(offset, side.right), glm::dot(offset, side.down)};
@@ -151,6 +153,11 @@ std::vector<SheetSide> sheet_sides(std::span<const glm::vec3> points, const Boun
     for (const std::string& view : options.views)
         sides.push_back(section_of(view) ? section_side(view, points, bounds, options)
                                          : side_of(view, view, points, center, options.up));
+    for (const SheetPlacement& placed : options.placements) {
+        SheetSide& side = *std::ranges::find(sides, placed.view, &SheetSide::name);
+        side.at = placed.at;
+        side.scale = placed.scale;
+    }
     for (std::size_t i = 0; i < sides.size(); ++i)
         if (sides[i].cut) sides[i].shown_on = side_with_line(sides[i], sides);
     for (const SheetDetail& detail : options.details)

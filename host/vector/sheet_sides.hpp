@@ -28,6 +28,8 @@ struct SheetSide {
     glm::dvec2 middle{0}; ///< the point in the middle of its cell
     std::optional<SectionPlane> cut{};
     std::optional<SheetDetail> detail{};
+    std::optional<glm::dvec2> at{}; ///< where it was placed by hand
+    std::string scale{};            ///< its own, if it has one
     std::size_t shown_on = 0; ///< the side that shows a section's plane as a line, or a detail
 
     /// How far it reaches from the middle of its cell.

@@ -35,12 +35,6 @@ using MaybeScale = Argument<std::optional<std::string>, "scale", "text such as \
 using Fields = Argument<std::map<std::string, std::string>, "fields",
                         "a dictionary of texts, such as {\"title\": \"Bracket\"}">;
 
-SheetFields fields_of(const std::map<std::string, std::string>& given) {
-    SheetFields fields;
-    for (const auto& [name, value] : given) set_field(fields, name, value);
-    return fields;
-}
-
 /// The rest of a model that the plane of a section cuts.
 ModelLines cut_lines(const ModelLines& whole, const SectionPlane& plane, const Progress& asked) {
     Section section = cut_mesh(whole.model->mesh, {{plane}});
@@ -96,6 +90,10 @@ py::object written(const VectorSheet& sheet, const std::string& type, double dpi
     return array_of(std::move(image.pixels), {image.size.y, image.size.x, 4});
 }
 
+bool is_file(const std::string& views) {
+    return views.ends_with(".toml");
+}
+
 void check_type(const std::string& type) {
     for (const char* known : {"svg", "dxf", "pdf", "picture"})
         if (type == known) return;
@@ -110,12 +108,14 @@ py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& 
                     Flag<"tags"> tags, Flag<"transparent"> transparent, Flag<"curves"> curves,
                     Flag<"fit_arcs"> fit_arcs, Real<"dpi"> dpi, const py::object& progress) {
     check_type(type);
-    SheetOptions options{.scale = scale->value_or(""),
-                         .unit = static_cast<double>(*unit),
-                         .up = axis_of(up),
-                         .fields = fields_of(fields),
-                         .measures = measures};
-    if (*views) options.views = parse_views(**views);
+    SheetOptions options;
+    if (*views && is_file(**views)) options = load_sheet(**views);
+    if (*scale) options.scale = **scale;
+    options.unit = static_cast<double>(*unit);
+    options.up = axis_of(up);
+    for (const auto& [name, value] : *fields) set_field(options.fields, name, value);
+    options.measures = measures;
+    if (*views && !is_file(**views)) options.views = parse_views(**views);
     for (const std::string& detail : *details) options.details.push_back(parse_detail(detail));
     if (*angle) options.angle = parse_projection_angle(**angle);
     if (*page) options.page = parse_page(**page);
@@ -147,8 +147,10 @@ void bind_sheets(py::class_<Drawer>& renderer) {
         "Several views of the model on one page, aligned and to scale, with a frame and a title\n"
         "block. type: \"svg\" or \"dxf\" (text), \"pdf\" (bytes) or \"picture\" (a uint8 array as\n"
         "that of draw(), `dpi` pixels per inch). views: sides to look from, as in\n"
-        "\"front,30,20,top\", and sections, as in \"front,section:x=12\"; none: front, top, right\n"
-        "and isometric. details: parts of views once more, larger: a view, a point and a radius, "
+        "\"front,30,20,top\", and sections, as in \"front,section:x=12\", or a TOML file; none: "
+        "front,\n"
+        "top, right and isometric. details: parts of views once more, larger: a view, a point and "
+        "a radius, "
         "and\n"
         "perhaps a scale, as in \"front/20,35,0/8/5:1\". angle: of projection, \"first\" "
         "or\n\"third\", which it is for none. page: "

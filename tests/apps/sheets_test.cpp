@@ -329,6 +329,64 @@ TEST_F(Sheets, ADetailKeepsArcs) {
               "detail_A-crease 125.00 46.15\n10.000\n50.000\nA\nA (5:2)\n");
 }
 
+TEST_F(Sheets, AFilePlacesViews) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    const auto file = [&](const std::string& scale) {
+        write("sheet.toml", "page = \"a2\"\nscale = \"" + scale +
+                                "\"\nprojection = \"first\"\n"
+                                "[fields]\ntitle = \"Cube\"\n"
+                                "[[views]]\nview = \"front\"\nat = [150, 100.5]\n"
+                                "[[views]]\nview = \"top\"\nat = [400, 90]\nscale = \"1:4\"\n"
+                                "[[views]]\nview = \"section:z=50\"\nat = [150, 300]\n"
+                                "[[details]]\nview = \"front\"\ncenter = [50, 50, 0]\nradius = 10\n"
+                                "at = [350, 250]\n");
+        const Result made = run("draw " + path("cube.obj") + " --up y --compute cpp --views " +
+                                path("sheet.toml") + " -o " + path("a.dxf"));
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        write("boxes.py",
+              "import sys, ezdxf\n"
+              "from ezdxf import bbox\n"
+              "drawing = ezdxf.readfile(sys.argv[1])\n"
+              "audit = drawing.audit()\n"
+              "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+              "for layer in 'front-crease', 'top-crease', 'section_A-section':\n"
+              "    box = bbox.extents(drawing.query(f'*[layer==\"{layer}\"]'))\n"
+              "    print('%.3f %.3f %.3f' % (box.center.x, box.center.y, box.size.x))\n"
+              "for text in drawing.query('TEXT'):\n"
+              "    if '(' in text.dxf.text or text.dxf.text == 'Cube': "
+              "print(text.dxf.text)\n");
+        return shell(python + path("boxes.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    // An A2 page is 420 mm high, and y goes up in DXF.
+    EXPECT_EQ(file("1:1"), "150.000 319.500 100.000\n400.000 330.000 25.000\n"
+                           "150.000 120.000 100.000\n(1:4)\nB (2:1)\nCube\n");
+    EXPECT_EQ(file("1:2"), "150.000 319.500 50.000\n400.000 330.000 25.000\n"
+                           "150.000 120.000 50.000\n(1:4)\nB (1:1)\nCube\n");
+}
+
+TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
+    const auto refused = [&](const std::string& text, const std::string& words) {
+        write("bad.toml", text);
+        expect_refused("draw " + path("cube.obj") + " --up y -o " + path("x.svg") + " --views " +
+                           path("bad.toml"),
+                       1, words);
+    };
+    refused("page = \"a3\"\nscael = \"1:1\"\n",
+            "bad.toml\" line 2: scael: a sheet has no such key; did you mean \"scale\"?");
+    refused("[[views]]\nview = \"front\"\nplace = [1, 2]\n",
+            "line 3: place: a view has no such key");
+    refused("[[views]]\nat = [1, 2]\n", "each needs a \"view\"");
+    refused("[[views]]\nview = \"front\"\nat = [1]\n",
+            "line 3: at: it must be a list of 2 numbers");
+    refused("[[views]]\nview = \"middle\"\n", "line 2: view: there is no view \"middle\"");
+    refused("[[details]]\nview = \"front\"\n", "each needs a \"center\"");
+    refused("[fields]\ncolour = \"red\"\n", "a title block has no field \"colour\"");
+    refused("page = 3\n", "line 1: page: it must be a text");
+    refused("views = \"front\"\n", "[[double brackets]]");
+    refused("page = \n", "line 1");
+    EXPECT_FALSE(fs::exists(path("x.svg")));
+}
+
 TEST_F(Sheets, AutoSaysWhatAPartIs) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +

@@ -555,6 +555,55 @@ TEST(Sheet, ADetailIsLargerAndHasALetter) {
     }
 }
 
+TEST(Sheet, ViewsArePlacedByHand) {
+    const Box box;
+    const glm::vec3 middle = 0.5F * (box.low + box.high);
+    const SheetLayout layout = box.layout(
+        {.views = {"front", "isometric", "section:x=10"},
+         .placements = {{"front", glm::dvec2{120, 200}}, {"isometric", glm::dvec2{300, 80}, "1:5"}},
+         .details =
+             {{.view = "isometric", .center = box.high, .radius = 10, .at = glm::dvec2{50, 50}}},
+         .page = parse_page("a2"),
+         .scale = "1:1"});
+    EXPECT_LT(glm::distance(on_paper(layout.views[0], middle), {120, 200}), 1e-3);
+    EXPECT_LT(glm::distance(0.5 * (layout.views[1].low + layout.views[1].high), {300, 80}), 1e-9);
+    EXPECT_LT(glm::distance(on_paper(layout.views[3], box.high), {50, 50}), 1e-3);
+    EXPECT_NEAR(layout.views[3].high.x - layout.views[3].low.x, 20 * 0.5, 1e-9); // 1:2 is next
+    EXPECT_EQ(layout.views[0].own_scale, "");
+    EXPECT_EQ(layout.views[1].own_scale, "1:5");
+    EXPECT_EQ(texts_of(layout, "sections"), (std::set<std::string>{"A", "A-A", "(1:5)"}));
+    // The line of the section goes where the front went.
+    EXPECT_NEAR(lines_on(layout, "sections", 0.5)[0].points[0].x,
+                on_paper(layout.views[0], {10, 0, 0}).x, 1e-3);
+    const auto refused = [&](SheetOptions options, const std::string& words) {
+        try {
+            box.layout(options);
+            ADD_FAILURE() << "not refused: " << words;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+        }
+    };
+    const auto front_at = [](glm::dvec2 at, const char* scale) {
+        return SheetOptions{
+            .views = {"front", "top"}, .placements = {{"front", at}}, .scale = scale};
+    };
+    refused(front_at({30, 100}, "1:1"), "\"front\", placed at 30,100 mm, leaves the frame");
+    refused(front_at({350, 250}, "1:1"), "meets the title block");
+    refused(front_at({500, 250}, ""), "leaves the frame; place it elsewhere");
+    refused({.views = {"front", "top"},
+             .placements = {{"front", glm::dvec2{150, 100}}, {"top", glm::dvec2{150, 110}}},
+             .scale = "1:1"},
+            "meets \"top\"");
+    refused({.views = {"front"}, .placements = {{.view = "top"}}}, "the sheet does not have it");
+    refused({.views = {"front"}, .placements = {{.view = "front"}, {.view = "front"}}},
+            "placed twice");
+    // The scale of a sheet is the largest that fits, or that of its views.
+    EXPECT_EQ(box.layout(front_at({90, 100}, "")).scale, "1:1");
+    EXPECT_EQ(box.layout(front_at({60, 100}, "")).scale, "1:2");
+    EXPECT_EQ((box.layout({.views = {"front"}, .placements = {{"front", {}, "1:3"}}}).scale),
+              "1:3");
+}
+
 TEST(Sheet, ADetailEndsAtItsCircle) {
     const Box box;
     const SheetOptions options{.views = {"front"},
@@ -590,7 +639,8 @@ TEST(Sheet, DetailsThatCannotBeAreRefused) {
     refused({"front", {200, 20, 10}, 5}, "its circle about 200,20,10 lies beside the model");
     refused({"front", {0, 20, 10}, 5, "1:2"}, "must be larger than 1:2");
     refused({"front", {0, 20, 10}, 0}, "radius must be above 0");
-    refused({"front", {0, 20, 10}, 50, "10:1"}, "no room for details of that scale");
+    refused({"front", {0, 20, 10}, 50, "10:1"},
+            "no room for views and details of their own scales");
     // A detail with a scale of its own keeps the sheet's below that.
     EXPECT_EQ((Box{}.layout({.details = {{"front", {0, 20, 10}, 5, "1:1"}}}).scale), "1:2");
 }

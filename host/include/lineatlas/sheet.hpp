@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -58,6 +59,18 @@ struct SheetDetail {
     /// Its own, as in "5:1", larger than that of the sheet; empty: the smallest of ISO 5455 that is
     /// at least twice that of the sheet.
     std::string scale{};
+    /// Millimetres from the page's upper left corner, y down: the middle of the detail; nothing:
+    /// where there is room.
+    std::optional<glm::dvec2> at{};
+};
+
+/// A view that is placed by hand, or has a scale of its own.
+struct SheetPlacement {
+    std::string view; ///< as in SheetOptions::views
+    /// Millimetres from the page's upper left corner, y down: the middle of the box around the
+    /// view; nothing: where the angle of projection puts it.
+    std::optional<glm::dvec2> at{};
+    std::string scale{}; ///< its own, as in "1:2"; empty: that of the sheet
 };
 
 /// "front/20,35,0/8" as the detail of the view "front" about that point with a radius of 8;
@@ -73,6 +86,8 @@ struct SheetOptions {
     /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
     /// on the right of it, and the first view that shows the plane as a line has that line.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
+    /// What differs from the layout by the angle of projection; each view at most once.
+    std::vector<SheetPlacement> placements{};
     /// Details, each placed where there is room. Letters go on after those of sections.
     std::vector<SheetDetail> details{};
     ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
@@ -96,10 +111,17 @@ struct SheetOptions {
 /// across no axis, for a view that is named twice, and for none.
 LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
 
+/// The sheet that a TOML file describes (docs/sheets.md): page, angle, scale, views, details and
+/// fields; the rest stays as in SheetOptions{}. Throws FileError that names the file, the line and
+/// the key.
+LINEATLAS_API SheetOptions load_sheet(const std::filesystem::path& file);
+
 /// A view and its place on the sheet.
 struct SheetView {
-    std::string name;       ///< as in SheetOptions::views; of a detail with its letter, "detail_B"
-    std::string letter{};   ///< of a section or a detail, as "A"
+    std::string name;     ///< as in SheetOptions::views; of a detail with its letter, "detail_B"
+    std::string letter{}; ///< of a section or a detail, as "A"
+    std::string
+        own_scale{};        ///< of a detail, and of a view whose scale is not the sheet's, as "5:1"
     bool pictorial = false; ///< not aligned with others; without hidden lines
     bool detail = false;    ///< nothing is drawn outside of the circle in its box
     /// Of a section, and a detail of one: the plane that cuts the model, in the coordinates of its
@@ -149,7 +171,7 @@ struct SheetText {
 /// corner, y down.
 struct SheetLayout {
     glm::dvec2 size{0};                 ///< of the page
-    std::string scale{};                ///< of all views but details, as in "1:2"
+    std::string scale{};                ///< of the views that have none of their own, as in "1:2"
     std::string title{};                ///< of the document
     bool measures = false;              ///< as in SheetOptions
     std::vector<SheetView> views{};     ///< in the order in which they were asked for, then details
@@ -160,7 +182,8 @@ struct SheetLayout {
 
 /// Lays out a sheet for a model with these points, such as LineSet::vertices. Throws UsageError if
 /// there are no points, for options out of range, for a section that misses the model or whose
-/// plane no other view shows as a line, for a detail beside its view or no larger than it, for more
+/// plane no other view shows as a line, for a detail beside its view or no larger than it, for a
+/// view placed by hand that leaves the frame or meets another view or the title block, for more
 /// sections and details than letters (A to Z without I and O),
 /// for a page without room for the views, and for a scale that does not fit; the message then names
 /// one that fits.
