@@ -477,6 +477,8 @@ TEST(Sheet, ASectionHasAGroupAndLayers) {
     const pugi::xml_document svg = parsed(to_svg(box.sheet(cut)));
     EXPECT_TRUE(group(svg, "section_A").find_child_by_attribute("id", "section_A-crease"));
     EXPECT_TRUE(group(svg, "sections"));
+    // Areas of views do not cover the line.
+    EXPECT_STREQ(svg.child("svg").last_child().attribute("id").value(), "sections");
     EXPECT_NE(to_dxf(box.sheet(cut)).find("\nsection_A-crease\n"), std::string::npos);
     EXPECT_FALSE(style_of_view(Style{.hidden = true}, box.layout(cut).views[1]).hidden);
     EXPECT_THROW(make_vector_sheet(box.lines.set, box.layout(cut),
