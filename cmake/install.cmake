@@ -33,7 +33,7 @@ endfunction()
 
 add_shared_library(lineatlas_shared NAME lineatlas FILE lineatlas
     RUNTIME runtime DEVELOPMENT development
-    ROOMS base surface core lines sources compute visibility gl interop renderer style vector fills profile polygon section scenes
+    ROOMS base surface core lines sources compute visibility gl interop renderer style vector sheets fills profile polygon section scenes
     PUBLIC glm::glm
     PRIVATE PkgConfig::epoxy fmt::fmt tomlplusplus::tomlplusplus TBB::tbb)
 target_include_directories(lineatlas_shared INTERFACE

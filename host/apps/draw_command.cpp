@@ -76,7 +76,7 @@ void check_arguments(const DrawArguments& arguments, const FrameSettings& settin
         throw UsageError("--stats measures one picture; leave out --turntable or --camera-path");
     }
     arguments.view.check();
-    arguments.sections.check();
+    arguments.sections.check(arguments.sheet.has_sections(arguments.view));
     arguments.profile.check();
     arguments.kernels.check();
     if (arguments.kernels.given() && (sequence || !arguments.device.compare_with.empty()))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -15,6 +16,7 @@
 #include "flags.h"
 #include "io/standard_streams.hpp"
 #include "lineatlas/fills.hpp"
+#include "lineatlas/section.hpp"
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
 #include "output/sheet_output.hpp"
@@ -36,20 +38,22 @@ Json list(glm::dvec2 v) {
 /// The resolution of a picture if none is given. Thin lines are a pixel and a half wide.
 constexpr float usual_dpi = 150;
 
-/// Finds the lines that cameras see, with one device for all.
+/// Finds the lines of a model that cameras see, with one device for all.
 class Finder {
   public:
-    Finder(const DrawArguments& arguments, const LineSet& lines, const VisibilityOptions& wanted,
+    Finder(const DeviceOptions& device, const LineSet& lines, const VisibilityOptions& wanted,
            const Style& style)
-        : lines_(lines), device_(arguments.device), visibility_(lines, device_), wanted_(wanted),
+        : lines_(lines), device_(device), visibility_(lines, device_), wanted_(wanted),
           style_(style) {}
 
-    SeenLines find(const Camera& camera) {
-        wanted_.outline_depth = outline_depth(style_, camera.size);
-        wanted_.centre_overhang = centre_overhang(style_, camera.size);
+    SeenLines find(const SheetView& view) {
+        const Camera& camera = view.camera;
+        const Style style = style_of_view(style_, view);
+        wanted_.outline_depth = outline_depth(style, camera.size);
+        wanted_.centre_overhang = centre_overhang(style, camera.size);
         std::vector<Interval> intervals = visibility_.find(camera, wanted_);
         return {std::move(intervals), visibility_.outlines(),
-                find_fills(lines_, camera, style_.fill, device_)};
+                find_fills(lines_, camera, style.fill, device_)};
     }
 
   private:
@@ -57,23 +61,42 @@ class Finder {
     DeviceOptions device_;
     LineVisibility visibility_;
     VisibilityOptions wanted_;
-    Style style_; ///< with lengths in pixels of views
+    Style style_;
+};
+
+/// The rest of a model that a section's plane cuts.
+struct CutModel {
+    Mesh mesh;
+    LineSet lines;
+
+    CutModel(const Subject& subject, const SectionPlane& plane, const Hatching& hatching) {
+        Section section = cut_mesh(subject.mesh, {{plane}}, hatching);
+        print_notes(section.notes);
+        mesh = std::move(section.mesh);
+        lines = extract_lines(mesh, subject.line_options);
+    }
 };
 
 VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet,
                        const FrameOptions& options) {
     const Subject& subject = sheet.subject;
-    const Style style = style_of_view(options.style, sheet.layout.views.front());
-    Finder finder{arguments,
-                  subject.lines,
-                  {.lines = drawn_kinds(options.lines, options.style),
-                   .hidden = true,
-                   .step = options.step,
-                   .outlines = tells_outlines(style)},
-                  style};
-    return make_vector_sheet(subject.lines, sheet.layout,
-                             [&](const Camera& camera) { return finder.find(camera); },
-                             options.style, {.mesh = &subject.mesh});
+    const Style& style = options.style;
+    const VisibilityOptions wanted{.lines = drawn_kinds(options.lines, options.style),
+                                   .hidden = true,
+                                   .step = options.step,
+                                   .outlines = tells_outlines(style)};
+    Finder whole{arguments.device, subject.lines, wanted, style};
+    std::optional<CutModel> cut; // of the view that is drawn
+    const auto find = [&](const SheetView& view) -> SeenLines {
+        if (!view.cut) return whole.find(view);
+        cut.emplace(subject, *view.cut, arguments.sections.hatching());
+        SeenLines seen = Finder{arguments.device, cut->lines, wanted, style}.find(view);
+        seen.lines = &cut->lines;
+        seen.mesh = &cut->mesh;
+        return seen;
+    };
+    return make_vector_sheet(subject.lines, sheet.layout, find, options.style,
+                             {.mesh = &subject.mesh});
 }
 
 /// Prints a note if no view shows a line.
@@ -96,6 +119,7 @@ OutputPlaces output_places(const DrawArguments& arguments) {
     places.reads(arguments.session);
     for (const std::filesystem::path& model : arguments.models) places.reads(model);
     places.reads(arguments.style.name());
+    if (SheetArguments::is_file(arguments.view)) places.reads(arguments.view.views());
     places.writes("--output", arguments.output);
     return places;
 }

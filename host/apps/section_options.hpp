@@ -20,10 +20,12 @@ class SectionOptions {
         : planes_(std::move(planes)), hatching_(std::move(hatching)) {}
     void declare(CLI::App& app, const std::string& group);
 
-    /// Throws UsageError for values that are wrong for any model.
-    void check() const;
+    /// Throws UsageError for values that are wrong for any model. `sheet_cuts`: a view of a sheet
+    /// is a section, which --hatching is for, too.
+    void check(bool sheet_cuts) const;
 
     bool given() const { return !planes_.empty(); }
+    Hatching hatching() const; ///< throws UsageError
     /// Cuts the mesh. `origin`: that of mesh and view, in the file's coordinates. Planes without a
     /// side take away the side that the view's eye is on. Throws UsageError.
     Section cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
@@ -33,7 +35,6 @@ class SectionOptions {
 
   private:
     std::vector<SectionPlane> planes(const Mesh& mesh, glm::dvec3 origin, const View& view) const;
-    Hatching hatching() const;
 
     CLI::App* app_ = nullptr;
     std::vector<std::string> planes_;

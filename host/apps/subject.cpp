@@ -223,7 +223,8 @@ Pictures find_pictures_at(const DrawArguments& arguments, LineKindMask kinds, gl
 SheetLayout sheet_of(const DrawArguments& arguments, const Subject& subject) {
     return lay_out_sheet(subject.framed,
                          arguments.sheet.options(arguments.view, arguments.paths.svg().page,
-                                                 subject.name, subject.unit, subject.up));
+                                                 subject.name, subject.unit, subject.up,
+                                                 subject.origin));
 }
 
 /// About the pixels that the largest view of a sheet takes.

@@ -65,7 +65,9 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
         ->group(group);
     app.add_option("--views", views_,
                    "A sheet of several sides, as in front,top,right,isometric: aligned, to scale, "
-                   "with a frame and a title block. auto: these four with overall sizes, axes and "
+                   "with a frame and a title block. section:x=12 is a section A-A by a plane, as "
+                   "--section takes it. FILE.toml: a file with views placed by hand. auto: these "
+                   "four with overall sizes, axes and "
                    "a scale bar, and a summary of the model as JSON on stdout")
         ->group(group);
     app.add_option("--projection", projection_,

@@ -48,4 +48,12 @@ std::string standard_scale(double largest) {
     return {};
 }
 
+std::string enlarging_scale(double smallest) {
+    constexpr double rounding = 1 + 1e-9;
+    const std::string inverse = standard_scale(rounding / smallest); // the series is its own
+    const std::size_t colon = inverse.find(':');
+    if (colon == std::string::npos) return {};
+    return inverse.substr(colon + 1).append(":").append(inverse, 0, colon);
+}
+
 } // namespace lineatlas

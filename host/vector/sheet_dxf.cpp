@@ -57,13 +57,13 @@ std::string to_dxf(const VectorSheet& sheet, const SheetWriting& writing) {
     DxfText body;
     DxfEntities writer{body, write_tables(body, layers, size), size.y};
     body.begin_section("ENTITIES");
-    write_own(writer, sheet.layout);
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) {
         const SheetView& view = sheet.layout.views[i];
         const std::string own = name_in_file(view) + "-" + fill_layer;
         for (const VectorFill& fill : sheet.drawings[i].fills)
             writer.write(fill, place_of(view, size), {.layer = own, .tags = true});
     }
+    write_own(writer, sheet.layout);    // over the areas
     auto layer = layers.layers.begin(); // one per group, in their order
     for (std::size_t i = 0; i < groups.size(); ++i)
         for (const LineGroup& group : groups[i])

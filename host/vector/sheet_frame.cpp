@@ -24,7 +24,7 @@ constexpr double narrow_page = 216;
 
 /// "A" to "Z" without I and O, then "AA".
 std::string row_name(int row) {
-    constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
+    constexpr std::string_view letters = reference_letters;
     std::string name;
     for (auto at = static_cast<std::size_t>(row) + 1; at > 0; at = (at - 1) / letters.size())
         name.push_back(letters[(at - 1) % letters.size()]);

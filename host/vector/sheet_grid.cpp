@@ -74,12 +74,17 @@ bool is_pictorial(std::string_view view) {
     return aligned_view(view) == nullptr;
 }
 
-std::vector<SheetCell> sheet_cells(const std::vector<std::string>& views, ProjectionAngle angle) {
+std::vector<SheetCell> sheet_cells(const std::vector<WantedCell>& views, ProjectionAngle angle) {
     std::vector<std::optional<SheetCell>> found(views.size());
     std::vector<SheetCell> taken;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        const AlignedView* aligned = aligned_view(views[i]);
-        if (aligned != nullptr) taken.push_back(*(found[i] = cell_of(*aligned, angle)));
+    for (const bool yields : {false, true}) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const AlignedView* aligned = aligned_view(views[i].side);
+            if (aligned == nullptr || views[i].yields != yields) continue;
+            found[i] = cell_of(*aligned, angle);
+            while (std::ranges::find(taken, *found[i]) != taken.end()) ++found[i]->column;
+            taken.push_back(*found[i]);
+        }
     }
     for (std::optional<SheetCell>& cell : found)
         if (!cell) taken.push_back(*(cell = free_cell(taken, angle)));

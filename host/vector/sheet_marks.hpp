@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -8,6 +9,9 @@
 #include "lineatlas/sheet.hpp"
 
 namespace lineatlas {
+
+/// Letters of references on a drawing. I and O look like numbers (ISO 5457).
+constexpr std::string_view reference_letters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
 
 /// A rectangle on paper, millimetres.
 struct SheetBox {

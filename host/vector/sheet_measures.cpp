@@ -28,9 +28,9 @@ constexpr double above_line = 1;                           ///< of a text
 
 /// A view as its measures see it.
 struct MeasuredView {
-    SheetBox box;         ///< around its lines
-    double tolerance = 0; ///< of the box, millimetres
-    bool pictorial = false;
+    SheetBox box;                 ///< around its lines
+    double tolerance = 0;         ///< of the box, millimetres
+    bool pictorial = false;       ///< or a section, or of another scale
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model; unit vectors
 };
 
@@ -46,7 +46,7 @@ MeasuredView measured(const SheetView& view, const VectorDrawing& drawing) {
                          : SheetBox{view.corner + view.scale * box.low,
                                     view.corner + view.scale * box.high},
             .tolerance = view.scale * (box.exact ? of_others : of_cubics),
-            .pictorial = view.pictorial,
+            .pictorial = view.pictorial || view.cut || !view.own_scale.empty(),
             .right = row(0),
             .down = -row(1)};
 }
@@ -188,7 +188,8 @@ void add_measures(VectorSheet& sheet) {
     SheetMarks dimensions{layout, "dimensions"};
     sheet.model_size = add_dimensions(dimensions, views, scale);
     SheetMarks axes{layout, "axes"};
-    for (const MeasuredView& view : views) add_axes(axes, view);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!layout.views[i].detail) add_axes(axes, views[i]);
     SheetMarks bar{layout, "scale-bar"};
     add_scale_bar(bar, frame_of(layout.size), scale);
 }

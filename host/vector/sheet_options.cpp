@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"
+#include "core/drawing_scale.hpp"
 #include "lineatlas/error.hpp"
+#include "sheet_sides.hpp"
 
 namespace lineatlas {
 namespace {
@@ -31,16 +34,87 @@ std::size_t end_of_view(std::string_view list) {
     return std::min(list.find(',', end + 1), list.size());
 }
 
+void check_view(const std::string& view) {
+    const std::optional<std::string_view> plane = section_of(view);
+    if (!plane) {
+        view_direction(view, {0, 1, 0});
+        return;
+    }
+    parse_section(*plane, {{0, 0, 0}, {1, 1, 1}});
+    if (plane->find('/') != std::string_view::npos)
+        throw UsageError(fmt::format(
+            "{}: the plane of a sheet's section lies across an axis, as in section:x=12", view));
+}
+
+void check_detail(const SheetDetail& detail) {
+    const glm::dvec3& center = detail.center;
+    if (!(detail.radius > 0) || !std::isfinite(detail.radius + center.x + center.y + center.z))
+        throw UsageError(fmt::format("a detail of \"{}\": its radius must be above 0, and its "
+                                     "centre a point",
+                                     detail.view));
+    if (!detail.scale.empty()) parse_scale("the scale of a detail", detail.scale);
+}
+
+void check_placement(const SheetPlacement& placed, const SheetOptions& options) {
+    if (std::ranges::find(options.views, placed.view) == options.views.end())
+        throw UsageError(fmt::format("the view \"{}\" has a place, but the sheet does not have it",
+                                     placed.view));
+    if (!placed.scale.empty()) parse_scale("the scale of a view", placed.scale);
+}
+
+/// Cuts off a text up to a slash.
+std::string_view take_part(std::string_view& text) {
+    const std::string_view part = text.substr(0, text.find('/'));
+    text.remove_prefix(std::min(part.size() + 1, text.size()));
+    return part;
+}
+
+std::optional<glm::dvec3> point_from(std::string_view text) {
+    glm::dvec3 point{0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::optional<double> value = take_number(text);
+        if (!value || text.starts_with(',') != (axis < 2)) return std::nullopt;
+        point[axis] = *value;
+        if (axis < 2) text.remove_prefix(1);
+    }
+    return text.empty() ? std::optional{point} : std::nullopt;
+}
+
 } // namespace
+
+SheetDetail parse_detail(std::string_view text) {
+    std::string_view rest = text;
+    SheetDetail detail{.view = std::string{take_part(rest)}};
+    const std::optional<glm::dvec3> center = point_from(take_part(rest));
+    const std::optional<double> radius = number_from(take_part(rest));
+    if (!center || !radius)
+        throw UsageError(
+            fmt::format("detail \"{}\" is none; it is a view, a point and a radius, as in "
+                        "front/20,35,0/8, and perhaps a scale, as in front/20,35,0/8/5:1",
+                        text));
+    detail.center = *center;
+    detail.radius = *radius;
+    detail.scale = rest;
+    check_detail(detail);
+    return detail;
+}
 
 void check_sheet_options(const SheetOptions& options) {
     if (options.views.empty()) throw UsageError("a sheet needs at least one view");
     for (auto view = options.views.begin(); view != options.views.end(); ++view) {
-        view_direction(*view, {0, 1, 0});
+        check_view(*view);
         if (std::find(options.views.begin(), view, *view) != view)
             throw UsageError(
                 fmt::format("the view \"{}\" is named twice; a sheet has each once", *view));
     }
+    for (auto placed = options.placements.begin(); placed != options.placements.end(); ++placed) {
+        check_placement(*placed, options);
+        if (std::find_if(options.placements.begin(), placed, [&](const SheetPlacement& other) {
+                return other.view == placed->view;
+            }) != placed)
+            throw UsageError(fmt::format("the view \"{}\" is placed twice", placed->view));
+    }
+    for (const SheetDetail& detail : options.details) check_detail(detail);
     if (!(options.unit > 0) || !std::isfinite(options.unit))
         throw UsageError("the unit of the model must be a number of millimetres above 0");
 }

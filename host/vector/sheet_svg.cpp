@@ -74,6 +74,11 @@ void add_own(XmlElement& svg, const SheetLayout& layout, const std::string& laye
         if (text.layer == layer) add_words(group, text, color);
 }
 
+/// Whether marks of a layer lie on views, whose areas must not cover them.
+bool lies_on_views(const std::string& layer) {
+    return layer == "sections" || layer == "details";
+}
+
 void add_view(XmlElement& svg, const SheetView& view, const VectorDrawing& drawing, glm::dvec2 page,
               const SheetWriting& writing) {
     XmlElement& group = svg.add("g");
@@ -99,10 +104,15 @@ std::string to_svg(const VectorSheet& sheet, const SheetWriting& writing) {
     add_text(svg, "desc", writing.description);
     if (writing.background) add_background(svg, style_of(sheet), layout.size, digits);
     const std::string color = color_text(style_of(sheet).pen.color);
-    for (const std::string& layer : own_layers(layout))
-        add_own(svg, layout, layer, color, writing.layers);
+    const auto add_layers = [&](bool on_views) {
+        for (const std::string& layer : own_layers(layout))
+            if (lies_on_views(layer) == on_views)
+                add_own(svg, layout, layer, color, writing.layers);
+    };
+    add_layers(false);
     for (std::size_t i = 0; i < layout.views.size(); ++i)
         add_view(svg, layout.views[i], sheet.drawings[i], layout.size, writing);
+    add_layers(true);
     return xml_document(svg);
 }
 

@@ -24,6 +24,7 @@ Sheet place_of(const SheetView& view, glm::dvec2 page) {
 }
 
 std::string name_in_file(const SheetView& view) {
+    if (view.cut && !view.detail) return std::string{"section_"}.append(view.letter);
     std::string name = view.name;
     std::ranges::replace(name, ',', '_');
     const bool is_word = !name.empty() && name.front() >= 'a' && name.front() <= 'z';

@@ -14,7 +14,7 @@ void check_sheet(const VectorSheet& sheet);
 /// Where a view's picture lies, in millimetres.
 Sheet place_of(const SheetView& view, glm::dvec2 page);
 
-/// A view's name for groups and layers: "front", "view_30_20".
+/// A view's name for groups and layers: "front", "view_30_20", "section_A".
 std::string name_in_file(const SheetView& view);
 
 /// The style from which the sheet's own lines get their colours: that of the first view.

@@ -124,8 +124,8 @@ void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
     const FrameOptions frame = options_of_paths(drawing.options);
     const bool is_cut = options.purpose == Purpose::laser;
     const bool is_drawn = options.purpose == Purpose::plotter;
-    const auto find = [&](const Camera& camera) {
-        return find_paths(renderer, model.lines, camera, frame, !is_cut && !is_drawn);
+    const auto find = [&](const SheetView& view) {
+        return find_paths(renderer, model.lines, view.camera, frame, !is_cut && !is_drawn);
     };
     const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
                                                 drawing.options.style, {.mesh = model.mesh.get()});

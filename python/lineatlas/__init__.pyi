@@ -1,5 +1,5 @@
 import enum
-from typing import Mapping, Optional, Union
+from typing import Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -187,6 +187,7 @@ def to_sheet(
     interop: str = "",
     type: str = "svg",
     views: Optional[str] = None,
+    details: Sequence[str] = [],
     angle: Optional[str] = None,
     page: Optional[str] = None,
     scale: Optional[str] = None,

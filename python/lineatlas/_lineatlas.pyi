@@ -313,6 +313,7 @@ class Renderer:
         *,
         type: str = "svg",
         views: Optional[str] = None,
+        details: Sequence[str] = [],
         angle: Optional[str] = None,
         page: Optional[str] = None,
         scale: Optional[str] = None,

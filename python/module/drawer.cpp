@@ -118,6 +118,11 @@ std::unique_lock<std::mutex> Drawer::lock() const {
     return std::unique_lock{mutex_};
 }
 
+bool Drawer::is_changed() const {
+    const std::unique_lock held = lock();
+    return subject_ != made_;
+}
+
 DeviceOptions Drawer::device() const {
     const std::unique_lock held = lock();
     if (!state_) throw UsageError("the renderer is closed");

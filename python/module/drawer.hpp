@@ -52,7 +52,8 @@ class Drawer {
 
     void set_subject(ModelLines subject);
     std::shared_ptr<const ModelLines> subject() const;
-    DeviceOptions device() const; ///< without a sharing mode, since OpenGL is only current in calls
+    bool is_changed() const;      ///< since it was made: moved, hidden, added or removed parts
+    DeviceOptions device() const; ///< without OpenGL, which is current only during calls
     std::string description();
     std::string take_note(); ///< Renderer::note() if it has changed since the last call
 

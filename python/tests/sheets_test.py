@@ -43,6 +43,25 @@ class Sheets(FolderTest):
             self.assertEqual(clear[0, 0, 3], 0)
             self.assertTrue(renderer.to_sheet(type="pdf").startswith(b"%PDF-"))
 
+    def test_sections(self) -> None:
+        mesh = lineatlas.Mesh(BOX, SIDES)
+        with lineatlas.Renderer(mesh) as renderer:
+            svg = renderer.to_sheet(views="front,section:x=50%", scale="1:1")
+            for text in (">A<", ">A-A<", 'id="section_A-hatching"'):
+                self.assertIn(text, svg)
+            svg = renderer.to_sheet(views="front", details=["front/20,30,0/4/5:1"], scale="1:1")
+            self.assertIn(">A (5:1)<", svg)
+            path = self.folder / "sheet.toml"
+            path.write_text('[[views]]\nview = "front"\nat = [100, 100]\nscale = "1:2"\n'
+                            '[[views]]\nview = "top"\n')
+            self.assertIn(">(1:2)<", renderer.to_sheet(views=str(path), scale="1:1"))
+            path.write_text("colour = 1\n")
+            with self.assertRaisesRegex(lineatlas.FileError, "line 1: colour"):
+                renderer.to_sheet(views=str(path))
+            renderer.set_positions(BOX * 2)
+            with self.assertRaisesRegex(lineatlas.UsageError, "the model was changed"):
+                renderer.to_sheet(views="front,section:x=50%")
+
     def test_fills(self) -> None:
         mesh = lineatlas.Mesh(BOX, SIDES)
         style = lineatlas.Style("technical", fill="flat", fill_color="#ff8000")

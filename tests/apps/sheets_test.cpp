@@ -267,7 +267,127 @@ TEST_F(Sheets, EzdxfFindsNothingWrongWithViewsOnAPage) {
         EXPECT_NE(found.output.find(text), std::string::npos) << text << found.output;
 }
 
-TEST_F(Sheets, AutomaticSheetsSummariseThePart) {
+/// A plate of 60 by 40 by 10 mm with a square hole of 20 mm through its middle, along z.
+TEST_F(Sheets, ASectionShowsWhatItsPlaneCuts) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("plate.obj", "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 0 0 10\nv 60 0 10\nv 60 40 10\n"
+                       "v 0 40 10\nv 20 10 0\nv 40 10 0\nv 40 30 0\nv 20 30 0\nv 20 10 10\n"
+                       "v 40 10 10\nv 40 30 10\nv 20 30 10\n"
+                       "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+                       "f 9 13 14 10\nf 10 14 15 11\nf 11 15 16 12\nf 12 16 13 9\n"
+                       "f 2 1 9 10\nf 3 2 10 11\nf 4 3 11 12\nf 1 4 12 9\n"
+                       "f 5 6 14 13\nf 6 7 15 14\nf 7 8 16 15\nf 8 5 13 16\n");
+    const auto sizes = [&](const std::string& scale, const std::string& more = "") {
+        const Result made =
+            run("draw " + path("plate.obj") + " --up y --compute cpp --views front,section:x=30 " +
+                more + " -o " + path("a.dxf") + " --scale " + scale);
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        write("sizes.py",
+              "import sys, ezdxf\n"
+              "drawing = ezdxf.readfile(sys.argv[1])\n"
+              "audit = drawing.audit()\n"
+              "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+              "for line in drawing.modelspace():\n"
+              "    if 'section_A-section' != line.dxf.layer: continue\n"
+              "    assert line.dxftype() == 'LWPOLYLINE' and line.closed, line\n"
+              "    x, y = zip(*((p[0], p[1]) for p in line))\n"
+              "    print('%.3f %.3f' % (max(x) - min(x), max(y) - min(y)))\n"
+              "print(len(drawing.query('*[layer==\"section_A-hatching\"]')) > 3)\n");
+        return shell(python + path("sizes.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    EXPECT_EQ(sizes("1:1"), "10.000 10.000\n10.000 10.000\nTrue\n");
+    EXPECT_EQ(sizes("2:1"), "20.000 20.000\n20.000 20.000\nTrue\n");
+    EXPECT_EQ(sizes("1:1", "--hatching none"), "10.000 10.000\n10.000 10.000\nFalse\n");
+}
+
+/// A cylinder with a radius of 50 mm, seen along its axis. A circle about a place of its border
+/// leaves twice 4 asin(r / 100) of it.
+TEST_F(Sheets, ADetailKeepsArcs) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    write("arcs.py", "import sys, ezdxf\n"
+                     "drawing = ezdxf.readfile(sys.argv[1])\n"
+                     "audit = drawing.audit()\n"
+                     "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+                     "for arc in drawing.query('ARC'):\n"
+                     "    span = (arc.dxf.end_angle - arc.dxf.start_angle) % 360\n"
+                     "    print(arc.dxf.layer, '%.2f %.2f' % (arc.dxf.radius, span))\n"
+                     "for circle in drawing.query('CIRCLE[layer==\"details\"]'):\n"
+                     "    print('%.3f' % circle.dxf.radius)\n"
+                     "for text in drawing.query('TEXT[layer==\"details\"]'):\n"
+                     "    print(text.dxf.text)\n");
+    const auto found = [&](const std::string& scale, const std::string& detail) {
+        const Result made =
+            run("draw " + path("cylinder.obj") + " --up y --compute cpp --views front --detail " +
+                detail + " -o " + path("a.dxf") + " --scale " + scale);
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        return shell(python + path("arcs.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    // 4 asin(0.2) are 46.15 degrees.
+    EXPECT_EQ(found("1:1", "front/50,0,0/20"),
+              "detail_A-crease 100.00 46.15\n20.000\n40.000\nA\nA (2:1)\n");
+    EXPECT_EQ(found("1:2", "front/50,0,0/20/5:2"),
+              "detail_A-crease 125.00 46.15\n10.000\n50.000\nA\nA (5:2)\n");
+}
+
+TEST_F(Sheets, AFilePlacesViews) {
+    if (!has_ezdxf()) GTEST_SKIP() << "python3-ezdxf is not installed";
+    const auto file = [&](const std::string& scale) {
+        write("sheet.toml", "page = \"a2\"\nscale = \"" + scale +
+                                "\"\nprojection = \"first\"\n"
+                                "[fields]\ntitle = \"Cube\"\n"
+                                "[[views]]\nview = \"front\"\nat = [150, 100.5]\n"
+                                "[[views]]\nview = \"top\"\nat = [400, 90]\nscale = \"1:4\"\n"
+                                "[[views]]\nview = \"section:z=50\"\nat = [150, 300]\n"
+                                "[[details]]\nview = \"front\"\ncenter = [50, 50, 0]\nradius = 10\n"
+                                "at = [350, 250]\n");
+        const Result made = run("draw " + path("cube.obj") + " --up y --compute cpp --views " +
+                                path("sheet.toml") + " -o " + path("a.dxf"));
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        write("boxes.py",
+              "import sys, ezdxf\n"
+              "from ezdxf import bbox\n"
+              "drawing = ezdxf.readfile(sys.argv[1])\n"
+              "audit = drawing.audit()\n"
+              "for wrong in audit.errors + audit.fixes: print('wrong:', wrong.message)\n"
+              "for layer in 'front-crease', 'top-crease', 'section_A-section':\n"
+              "    box = bbox.extents(drawing.query(f'*[layer==\"{layer}\"]'))\n"
+              "    print('%.3f %.3f %.3f' % (box.center.x, box.center.y, box.size.x))\n"
+              "for text in drawing.query('TEXT'):\n"
+              "    if '(' in text.dxf.text or text.dxf.text == 'Cube': "
+              "print(text.dxf.text)\n");
+        return shell(python + path("boxes.py") + " " + path("a.dxf") + " 2>&1").output;
+    };
+    // An A2 page is 420 mm high, and y goes up in DXF.
+    EXPECT_EQ(file("1:1"), "150.000 319.500 100.000\n400.000 330.000 25.000\n"
+                           "150.000 120.000 100.000\n(1:4)\nB (2:1)\nCube\n");
+    EXPECT_EQ(file("1:2"), "150.000 319.500 50.000\n400.000 330.000 25.000\n"
+                           "150.000 120.000 50.000\n(1:4)\nB (1:1)\nCube\n");
+}
+
+TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
+    const auto refused = [&](const std::string& text, const std::string& words) {
+        write("bad.toml", text);
+        expect_refused("draw " + path("cube.obj") + " --up y -o " + path("x.svg") + " --views " +
+                           path("bad.toml"),
+                       1, words);
+    };
+    refused("page = \"a3\"\nscael = \"1:1\"\n",
+            "bad.toml\" line 2: scael: a sheet has no such key; did you mean \"scale\"?");
+    refused("[[views]]\nview = \"front\"\nplace = [1, 2]\n",
+            "line 3: place: a view has no such key");
+    refused("[[views]]\nat = [1, 2]\n", "each needs a \"view\"");
+    refused("[[views]]\nview = \"front\"\nat = [1]\n",
+            "line 3: at: it must be a list of 2 numbers");
+    refused("[[views]]\nview = \"middle\"\n", "line 2: view: there is no view \"middle\"");
+    refused("[[details]]\nview = \"front\"\n", "each needs a \"center\"");
+    refused("[fields]\ncolour = \"red\"\n", "a title block has no field \"colour\"");
+    refused("page = 3\n", "line 1: page: it must be a text");
+    refused("views = \"front\"\n", "[[double brackets]]");
+    refused("page = \n", "line 1");
+    EXPECT_FALSE(fs::exists(path("x.svg")));
+}
+
+TEST_F(Sheets, AutoSaysWhatAPartIs) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
                    options);
@@ -296,6 +416,12 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     const std::string to = draw + path("x.svg") + " --views ";
     expect_refused(to + "front,middle", 2, "there is no view \"middle\"");
     expect_refused(to + "front,top,front", 2, "\"front\" is named twice");
+    expect_refused(to + "front,section:z=50", 2, "no view shows its plane as a line; add top");
+    expect_refused(to + "top,section:z=500", 2, "misses the model, which goes from z=0 to 100");
+    expect_refused(to + "front --detail front/0,0,0", 2, "as in front/20,35,0/8");
+    expect_refused(to + "front --detail front/900,0,0/5", 2, "lies beside the model");
+    expect_refused(draw + path("x.svg") + " --detail front/0,0,0/5", 2, "see --views");
+    expect_refused(to + "front --hatching none", 2, "for sections of --views");
     expect_refused(to + "front --view top", 2, "--views and --view exclude each other");
     expect_refused(to + "front --margin 5mm", 2, "--views and --margin exclude each other");
     expect_refused(to + "front --scale 5:1", 2, "2:1 fits");

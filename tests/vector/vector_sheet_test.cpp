@@ -5,13 +5,16 @@
 #include <numbers>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include "core/drawing_scale.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/sheet.hpp"
+#include "vector/clip_drawing.hpp"
 #include "vector/drawn_box.hpp"
 #include "vector/sheet_frame.hpp"
 #include "vector/title_block.hpp"
@@ -41,10 +44,12 @@ struct Box {
         return lay_out_sheet(lines.set.vertices, options);
     }
     VectorSheet sheet(const SheetOptions& options = {}, const Style& style = {}) const {
-        const auto find = [&](const Camera& camera) -> SeenLines {
-            test::Cuts cuts{lines.set, camera};
+        const auto find = [&](const SheetView& view) {
+            test::Cuts cuts{lines.set, view.camera};
             cuts.add_all();
-            return {cuts.intervals};
+            SeenLines seen{cuts.intervals};
+            if (view.cut) seen.lines = &lines.set; // as if nothing were cut away
+            return seen;
         };
         return make_vector_sheet(lines.set, layout(options), find, style);
     }
@@ -216,6 +221,8 @@ TEST(Sheet, APageStandsOrLiesAsIso5457HasIt) {
 TEST(Sheet, ViewsAreNamedInAList) {
     EXPECT_EQ(parse_views("front,top"), (std::vector<std::string>{"front", "top"}));
     EXPECT_EQ(parse_views("30,-20.5,back"), (std::vector<std::string>{"30,-20.5", "back"}));
+    EXPECT_EQ(parse_views("front,section:-x=5%,30,20"),
+              (std::vector<std::string>{"front", "section:-x=5%", "30,20"}));
     for (const char* wrong : {"", "front,", "front,,top", "middle", "front,30", "front,top,front"})
         EXPECT_THROW(parse_views(wrong), UsageError) << wrong;
     EXPECT_THROW(lay_out_sheet({}), UsageError);
@@ -387,6 +394,347 @@ TEST(Sheet, WhatIsRoundIsMeasuredAsItIs) {
     drawing.paths = {arc};
     EXPECT_NEAR(drawn_box(drawing).low.y, 45 - 0.75 * 10, 1e-9);
     EXPECT_FALSE(drawn_box(drawing).exact);
+}
+
+std::vector<SheetLine> lines_on(const SheetLayout& layout, const std::string& layer, double width) {
+    std::vector<SheetLine> found;
+    for (const SheetLine& line : layout.lines)
+        if (line.layer == layer && line.width == width) found.push_back(line);
+    return found;
+}
+
+TEST(Sheet, ASectionStandsWhereItsSideWould) {
+    const Box box;
+    const glm::vec3 corner = box.high;
+    const auto layout = [&](std::vector<std::string> views) {
+        return box.layout({.views = std::move(views)});
+    };
+    const SheetLayout alone = layout({"front", "section:x=10"});
+    const SheetView& section = alone.views[1];
+    EXPECT_EQ(section.letter, "A");
+    EXPECT_EQ(section.cut->normal, (glm::dvec3{1, 0, 0})); // looks as the right does
+    EXPECT_GT(section.low.x, alone.views[0].high.x);
+    EXPECT_NEAR(on_paper(alone.views[0], corner).y, on_paper(section, corner).y, 1e-3);
+    const SheetLayout left = layout({"front", "section:-x=10"});
+    EXPECT_EQ(left.views[1].cut->normal, (glm::dvec3{-1, 0, 0}));
+    EXPECT_LT(left.views[1].high.x, left.views[0].low.x);
+    const SheetLayout above = layout({"front", "section:y=50%"});
+    EXPECT_LT(above.views[1].high.y, above.views[0].low.y);
+    EXPECT_NEAR(on_paper(above.views[0], corner).x, on_paper(above.views[1], corner).x, 1e-3);
+    // The right is taken, so the section is on the right of that.
+    const SheetLayout taken = layout({"section:x=10", "section:x=20", "front", "right"});
+    EXPECT_GT(view_named(taken, "section:x=10").low.x, view_named(taken, "right").high.x);
+    EXPECT_GT(taken.views[1].low.x, taken.views[0].high.x);
+    EXPECT_EQ(taken.views[1].letter, "B");
+    EXPECT_EQ(texts_of(taken, "sections"), (std::set<std::string>{"A", "B", "A-A", "B-B"}));
+}
+
+TEST(Sheet, ThePlaneOfASectionIsALineWithArrows) {
+    const Box box;
+    for (const char* scale : {"1:1", "1:2"}) {
+        SCOPED_TRACE(scale);
+        const SheetLayout layout = box.layout(
+            {.views = {"front", "section:x=10"}, .page = parse_page("a2"), .scale = scale});
+        const SheetView& front = layout.views[0];
+        const double x = on_paper(front, {10, 0, 0}).x;
+        const double top = on_paper(front, box.high).y, bottom = on_paper(front, box.low).y;
+        std::vector<SheetLine> thick = lines_on(layout, "sections", 0.5);
+        std::erase_if(thick, [](const SheetLine& line) { return line.points.size() > 2; }); // heads
+        ASSERT_EQ(thick.size(), 4U); // two ends and two arrows
+        for (const std::size_t end : {0U, 1U}) {
+            const SheetLine& line = thick[end];
+            EXPECT_NEAR(line.points[0].x, x, 1e-3);
+            EXPECT_NEAR(line.points[1].x, x, 1e-3);
+            EXPECT_NEAR(line.points[0].y, end == 0 ? top - 3 : bottom + 3, 1e-3);
+            EXPECT_NEAR(line.points[1].y, end == 0 ? top - 10 : bottom + 10, 1e-3);
+        }
+        for (const std::size_t arrow : {2U, 3U}) { // looks to the left, as the right view does
+            EXPECT_NEAR(thick[arrow].points[0].x, x, 1e-3);
+            EXPECT_NEAR(thick[arrow].points[1].x, x + 9, 1e-3);
+        }
+        double dashes = 0, longest = 0, dots = 0;
+        for (const SheetLine& line : lines_on(layout, "sections", 0.25)) {
+            EXPECT_NEAR(line.points[0].x, x, 1e-3);
+            const double length = glm::distance(line.points[0], line.points[1]);
+            (length < 0.2 ? dots : dashes) += 1;
+            longest = std::max(longest, length);
+        }
+        EXPECT_EQ(dashes, dots + 1);
+        EXPECT_NEAR(longest, 6, 1); // 24 times the width
+        for (const SheetText& text : layout.texts) {
+            if (text.layer != "sections") continue;
+            const bool is_title = text.text == "A-A";
+            EXPECT_TRUE(is_title ? text.at.y < layout.views[1].low.y : text.at.x > x + 9);
+        }
+    }
+}
+
+TEST(Sheet, ASectionHasAGroupAndLayers) {
+    const Box box;
+    const SheetOptions options{.views = {"front", "section:z=25%"}};
+    EXPECT_THROW(box.layout(options), UsageError); // the front shows no line
+    const SheetOptions cut{.views = {"front", "section:y=25%"}};
+    const pugi::xml_document svg = parsed(to_svg(box.sheet(cut)));
+    EXPECT_TRUE(group(svg, "section_A").find_child_by_attribute("id", "section_A-crease"));
+    EXPECT_TRUE(group(svg, "sections"));
+    // Areas of views do not cover the line.
+    EXPECT_STREQ(svg.child("svg").last_child().attribute("id").value(), "sections");
+    EXPECT_NE(to_dxf(box.sheet(cut)).find("\nsection_A-crease\n"), std::string::npos);
+    EXPECT_FALSE(style_of_view(Style{.hidden = true}, box.layout(cut).views[1]).hidden);
+    EXPECT_THROW(make_vector_sheet(box.lines.set, box.layout(cut),
+                                   [](const SheetView&) { return SeenLines{}; }, {}),
+                 UsageError);
+}
+
+TEST(Sheet, SectionsThatCannotBeAreRefused) {
+    const auto refused = [](std::vector<std::string> views, const std::string& words) {
+        try {
+            Box{}.layout({.views = std::move(views), .page = parse_page("a0"), .scale = "1:100"});
+            ADD_FAILURE() << "not refused: " << words;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+        }
+    };
+    refused({"front", "section:x=200"},
+            "section:x=200 misses the model, which goes from x=-31.3 to 88.7");
+    refused({"front", "section:z=40"}, "section:z=40: no view shows its plane as a line; add top");
+    refused({"top", "isometric", "section:y=50%"}, "add front");
+    refused({"front", "section:0,0,40/0,1,1"}, "lies across an axis");
+    refused({"front", "section:w=1"}, "section \"w=1\" is none");
+    refused({"front", "section:x=1", "section:x=1"}, "named twice");
+    std::vector<std::string> many{"front"};
+    for (int i = 0; i < 25; ++i) many.push_back("section:x=" + std::to_string(i));
+    refused(many, "letters for 24 sections");
+    many.pop_back();
+    EXPECT_EQ(Box{}
+                  .layout({.views = many, .page = parse_page("a0"), .scale = "1:100"})
+                  .views.back()
+                  .letter,
+              "Z");
+}
+
+TEST(Sheet, SectionsAreInTheCoordinatesOfTheFile) {
+    const SheetOptions options{.views = {"front", "section:x=1010", "section:x=50%"},
+                               .page = parse_page("a2"),
+                               .origin = {1000, 0, 0}};
+    const SheetLayout layout = Box{}.layout(options);
+    EXPECT_NEAR(layout.views[1].cut->point.x, 10, 1e-9);
+    EXPECT_NEAR(layout.views[2].cut->point.x, 28.7, 1e-4);
+}
+
+TEST(Sheet, ADetailIsLargerAndHasALetter) {
+    const Box box;
+    for (const auto& [scale, own, factor] :
+         {std::tuple{"1:1", "2:1", 2.0}, {"1:2", "1:1", 1.0}, {"1:5", "1:2", 0.5}}) {
+        SCOPED_TRACE(scale);
+        const glm::vec3 corner = box.high;
+        const SheetLayout layout = box.layout({.views = {"front", "section:x=10"},
+                                               .details = {{"front", corner, 12}},
+                                               .page = parse_page("a2"),
+                                               .scale = scale});
+        ASSERT_EQ(layout.views.size(), 3U);
+        const SheetView& detail = layout.views[2];
+        EXPECT_EQ(detail.letter, "B");
+        const glm::dvec2 size = detail.high - detail.low;
+        EXPECT_NEAR(size.x, 24 * factor, 1e-9);
+        EXPECT_NEAR(size.y, 24 * factor, 1e-9);
+        const glm::dvec2 middle = detail.low + 0.5 * size;
+        EXPECT_LT(glm::distance(on_paper(detail, corner), middle), 1e-3);
+        const auto length = [&](const SheetView& view) {
+            return glm::distance(on_paper(view, corner), on_paper(view, {0, corner.y, 0}));
+        };
+        const double of_sheet = parse_scale("", scale);
+        EXPECT_NEAR(length(detail), factor / of_sheet * length(layout.views[0]), 2e-3);
+        std::vector<SheetCircle> circles;
+        for (const SheetCircle& circle : layout.circles)
+            if (circle.layer == "details") circles.push_back(circle);
+        ASSERT_EQ(circles.size(), 2U);
+        EXPECT_LT(glm::distance(circles[0].center, on_paper(layout.views[0], corner)), 1e-3);
+        EXPECT_NEAR(circles[0].radius, 12 * of_sheet, 1e-9);
+        EXPECT_NEAR(circles[1].radius, 12 * factor, 1e-9);
+        EXPECT_EQ(texts_of(layout, "details"),
+                  (std::set<std::string>{"B", std::string{"B ("} + own + ")"}));
+    }
+}
+
+TEST(Sheet, ViewsArePlacedByHand) {
+    const Box box;
+    const glm::vec3 middle = 0.5F * (box.low + box.high);
+    const SheetLayout layout = box.layout(
+        {.views = {"front", "isometric", "section:x=10"},
+         .placements = {{"front", glm::dvec2{120, 200}}, {"isometric", glm::dvec2{300, 80}, "1:5"}},
+         .details =
+             {{.view = "isometric", .center = box.high, .radius = 10, .at = glm::dvec2{50, 50}}},
+         .page = parse_page("a2"),
+         .scale = "1:1"});
+    EXPECT_LT(glm::distance(on_paper(layout.views[0], middle), {120, 200}), 1e-3);
+    EXPECT_LT(glm::distance(0.5 * (layout.views[1].low + layout.views[1].high), {300, 80}), 1e-9);
+    EXPECT_LT(glm::distance(on_paper(layout.views[3], box.high), {50, 50}), 1e-3);
+    EXPECT_NEAR(layout.views[3].high.x - layout.views[3].low.x, 20 * 0.5, 1e-9); // 1:2 is next
+    EXPECT_EQ(layout.views[0].own_scale, "");
+    EXPECT_EQ(layout.views[1].own_scale, "1:5");
+    EXPECT_EQ(texts_of(layout, "sections"), (std::set<std::string>{"A", "A-A", "(1:5)"}));
+    // The line of the section goes where the front went.
+    EXPECT_NEAR(lines_on(layout, "sections", 0.5)[0].points[0].x,
+                on_paper(layout.views[0], {10, 0, 0}).x, 1e-3);
+    const auto refused = [&](SheetOptions options, const std::string& words) {
+        try {
+            box.layout(options);
+            ADD_FAILURE() << "not refused: " << words;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+        }
+    };
+    const auto front_at = [](glm::dvec2 at, const char* scale) {
+        return SheetOptions{
+            .views = {"front", "top"}, .placements = {{"front", at}}, .scale = scale};
+    };
+    refused(front_at({30, 100}, "1:1"), "\"front\", placed at 30,100 mm, leaves the frame");
+    refused(front_at({350, 250}, "1:1"), "meets the title block");
+    refused(front_at({500, 250}, ""), "leaves the frame; place it elsewhere");
+    refused({.views = {"front", "top"},
+             .placements = {{"front", glm::dvec2{150, 100}}, {"top", glm::dvec2{150, 110}}},
+             .scale = "1:1"},
+            "meets \"top\"");
+    refused({.views = {"front"}, .placements = {{.view = "top"}}}, "the sheet does not have it");
+    refused({.views = {"front"}, .placements = {{.view = "front"}, {.view = "front"}}},
+            "placed twice");
+    // The scale of a sheet is the largest that fits, or that of its views.
+    EXPECT_EQ(box.layout(front_at({90, 100}, "")).scale, "1:1");
+    EXPECT_EQ(box.layout(front_at({60, 100}, "")).scale, "1:2");
+    EXPECT_EQ((box.layout({.views = {"front"}, .placements = {{"front", {}, "1:3"}}}).scale),
+              "1:3");
+}
+
+TEST(Sheet, ADetailEndsAtItsCircle) {
+    const Box box;
+    const SheetOptions options{.views = {"front"},
+                               .details = {{"front", box.high, 12, "5:1"}},
+                               .page = parse_page("a2"),
+                               .scale = "1:1"};
+    const auto lines = lines_of(to_dxf(box.sheet(options)));
+    EXPECT_EQ(lines.count("detail_A-crease"), 2U); // the two edges that meet in the corner
+    for (auto [at, end] = lines.equal_range("detail_A-crease"); at != end; ++at)
+        EXPECT_NEAR(at->second.length(), 60, 1e-3);
+    EXPECT_TRUE(group(parsed(to_svg(box.sheet(options))), "detail_A"));
+}
+
+TEST(Sheet, DetailsThatCannotBeAreRefused) {
+    const SheetDetail parsed = parse_detail("section:x=1/20,-35,0.5/8/5:1");
+    EXPECT_EQ(parsed.view, "section:x=1");
+    EXPECT_EQ(parsed.center, (glm::dvec3{20, -35, 0.5}));
+    EXPECT_EQ(parsed.radius, 8);
+    EXPECT_EQ(parsed.scale, "5:1");
+    for (const char* wrong : {"", "front", "front/1,2/8", "front/1,2,3", "front/1,2,3/0",
+                              "front/1,2,3/-2", "front/1,2,3/8/big", "front/1,2,3,4/8"})
+        EXPECT_THROW(parse_detail(wrong), UsageError) << wrong;
+    const auto refused = [](SheetDetail detail, const std::string& words) {
+        try {
+            Box{}.layout(
+                {.views = {"front", "top"}, .details = {std::move(detail)}, .scale = "1:2"});
+            ADD_FAILURE() << "not refused: " << words;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+        }
+    };
+    refused({"right", {0, 20, 10}, 5}, "a detail of \"right\": the sheet has no such view");
+    refused({"front", {200, 20, 10}, 5}, "its circle about 200,20,10 lies beside the model");
+    refused({"front", {0, 20, 10}, 5, "1:2"}, "must be larger than 1:2");
+    refused({"front", {0, 20, 10}, 0}, "radius must be above 0");
+    refused({"front", {0, 20, 10}, 50, "10:1"},
+            "no room for views and details of their own scales");
+    // A detail with a scale of its own keeps the sheet's below that.
+    EXPECT_EQ((Box{}.layout({.details = {{"front", {0, 20, 10}, 5, "1:1"}}}).scale), "1:2");
+}
+
+/// A drawing with one path.
+VectorDrawing drawing_of(VectorPath path) {
+    VectorDrawing drawing{.size = {100, 100}, .groups = {}, .paths = {}};
+    drawing.paths.push_back(std::move(path));
+    return drawing;
+}
+
+TEST(Sheet, AnArcThatIsClippedStaysAnArc) {
+    VectorPath whole{.closed = true, .points = {}, .pieces = {}};
+    constexpr int chords = 24;
+    const VectorArc arc{.center = {50, 50}, .major = {10, 0}, .sweep = 2 * std::numbers::pi};
+    for (int i = 0; i <= chords; ++i) {
+        whole.points.push_back({.at = arc.at(2 * std::numbers::pi * i / chords)});
+        if (i < chords) whole.pieces.push_back({.point = static_cast<std::uint32_t>(i)});
+    }
+    whole.curves.push_back({.first = 0, .last = chords, .arc = arc});
+    for (const double side : {1.0, -1.0}) { // its first point is within the circle, or is not
+        VectorDrawing drawing = drawing_of(whole);
+        clip_to_circle(drawing, {50 + 10 * side, 50}, 10);
+        ASSERT_EQ(drawing.paths.size(), 1U);
+        const VectorPath& path = drawing.paths[0];
+        EXPECT_FALSE(path.closed);
+        ASSERT_EQ(path.curves.size(), 1U);
+        const VectorArc& part = path.curves[0].arc;
+        EXPECT_NEAR(part.sweep, 2 * std::numbers::pi / 3, 1e-9);
+        for (const VectorPoint& end : {path.points.front(), path.points.back()}) {
+            EXPECT_NEAR(end.at.x, 50 + 5 * side, 1e-9);
+            EXPECT_NEAR(glm::distance(end.at, arc.center), 10, 1e-9);
+        }
+        EXPECT_LT(glm::distance(part.at(part.from), path.points.front().at), 1e-9);
+        EXPECT_LT(glm::distance(part.at(part.from + part.sweep), path.points.back().at), 1e-9);
+        EXPECT_EQ(path.curves[0].last, path.points.size() - 1);
+        EXPECT_EQ(path.pieces.size(), path.points.size() - 1);
+        for (std::size_t i = 0; i < path.pieces.size(); ++i) EXPECT_EQ(path.pieces[i].point, i);
+    }
+    VectorDrawing within = drawing_of(whole), beside = drawing_of(whole);
+    clip_to_circle(within, {50, 50}, 11);
+    clip_to_circle(beside, {50, 50}, 9);
+    EXPECT_TRUE(within.paths.at(0).closed);
+    EXPECT_TRUE(beside.paths.empty());
+}
+
+TEST(Sheet, CubicsLinesAndAreasAreClipped) {
+    VectorPath curve{.points = {{.at = {40, 50}}, {.at = {50, 43.875}}, {.at = {60, 50}}},
+                     .pieces = {{.point = 0}, {.point = 1}},
+                     .curves = {{.first = 0, .last = 2}}};
+    curve.curves[0].cubic = {{42, 41.8}, {58, 41.9}};
+    VectorDrawing drawing = drawing_of(curve);
+    clip_to_circle(drawing, {60, 50}, 8);
+    const VectorPath& part = drawing.paths.at(0);
+    EXPECT_NEAR(glm::distance(part.points.front().at, {60, 50}), 8, 1e-9);
+    EXPECT_EQ(part.points.back().at, (glm::dvec2{60, 50}));
+    ASSERT_TRUE(part.curves.at(0).cubic);
+    const auto at = [](glm::dvec2 a, const VectorCubic& c, glm::dvec2 d, double t) {
+        const double s = 1 - t;
+        return s * s * s * a + 3 * s * s * t * c.first_control + 3 * s * t * t * c.last_control +
+               t * t * t * d;
+    };
+    double nearest = 1e9; // the middle of the part lies on the whole
+    const glm::dvec2 middle =
+        at(part.points.front().at, *part.curves[0].cubic, part.points.back().at, 0.5);
+    for (int i = 0; i <= 100000; ++i)
+        nearest = std::min(nearest, glm::distance(middle, at({40, 50}, *curve.curves[0].cubic,
+                                                             {60, 50}, i / 100000.0)));
+    EXPECT_LT(nearest, 1e-4);
+
+    VectorPath line{.points = {{.at = {0, 50}, .depth = 0.25}, {.at = {100, 50}, .depth = 0.75}},
+                    .pieces = {{.point = 0, .from = 0, .to = 0.5F}, {.point = 0, .from = 0.5F}}};
+    VectorDrawing straight = drawing_of(line);
+    straight.fills.push_back({.object = {}, .rings = {{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}});
+    straight.fills.push_back({.object = {}, .rings = {{{0, 0}, {10, 0}, {10, 10}}}});
+    clip_to_circle(straight, {60, 50}, 20);
+    ASSERT_EQ(straight.paths.size(), 1U);
+    const VectorPath& rest = straight.paths[0];
+    EXPECT_NEAR(rest.points[0].at.x, 40, 1e-9);
+    EXPECT_NEAR(rest.points[1].at.x, 80, 1e-9);
+    EXPECT_NEAR(rest.points[0].depth, 0.45, 1e-9);
+    ASSERT_EQ(rest.pieces.size(), 2U);
+    EXPECT_NEAR(rest.pieces[0].to, 0.25F, 1e-6F);
+    EXPECT_NEAR(rest.pieces[1].from, 0.25F, 1e-6F);
+    ASSERT_EQ(straight.fills.size(), 1U);
+    double area = 0;
+    const std::vector<glm::dvec2>& ring = straight.fills[0].rings.at(0);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+        area += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+    EXPECT_NEAR(area, std::numbers::pi * 400, 0.05);
 }
 
 TEST(Sheet, ASheetNeedsADrawingForEachView) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/export.hpp"
 #include "lineatlas/lines.hpp"
+#include "lineatlas/section.hpp"
 #include "lineatlas/style.hpp"
 #include "lineatlas/vector.hpp"
 
@@ -48,12 +51,45 @@ struct SheetFields {
 /// Sets the field of that name, such as "title". Throws UsageError that lists all names.
 LINEATLAS_API void set_field(SheetFields& fields, std::string_view name, std::string value);
 
+/// A part of a view that is drawn once more, larger: a detail.
+struct SheetDetail {
+    std::string view;     ///< the view that shows it, as in SheetOptions::views
+    glm::dvec3 center{0}; ///< of the circle around it, in the coordinates of sections' planes
+    double radius = 0;    ///< of the circle, units of the model, above 0
+    /// Its own, as in "5:1", larger than that of the sheet; empty: the smallest of ISO 5455 that is
+    /// at least twice that of the sheet.
+    std::string scale{};
+    /// Millimetres from the page's upper left corner, y down: the middle of the detail; nothing:
+    /// where there is room.
+    std::optional<glm::dvec2> at{};
+};
+
+/// A view that is placed by hand, or has a scale of its own.
+struct SheetPlacement {
+    std::string view; ///< as in SheetOptions::views
+    /// Millimetres from the page's upper left corner, y down: the middle of the box around the
+    /// view; nothing: where the angle of projection puts it.
+    std::optional<glm::dvec2> at{};
+    std::string scale{}; ///< its own, as in "1:2"; empty: that of the sheet
+};
+
+/// "front/20,35,0/8" as the detail of the view "front" about that point with a radius of 8;
+/// "front/20,35,0/8/5:1" at that scale. Throws UsageError for any other text.
+LINEATLAS_API SheetDetail parse_detail(std::string_view text);
+
 /// The contents and the layout of a sheet.
 struct SheetOptions {
     /// Sides to look from, as view_direction() takes them, each once. The six named sides are
     /// aligned with the front; any other side is a pictorial view, which shows no hidden lines and
-    /// is placed where there is room.
+    /// is placed where there is room. "section:x=12" is a section: the model cut by a plane, as
+    /// parse_section() takes one across an axis, seen from the side that is cut away; by
+    /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
+    /// on the right of it, and the first view that shows the plane as a line has that line.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
+    /// What differs from the layout by the angle of projection; each view at most once.
+    std::vector<SheetPlacement> placements{};
+    /// Details, each placed where there is room. Letters go on after those of sections.
+    std::vector<SheetDetail> details{};
     ProjectionAngle angle = ProjectionAngle::third; ///< of the aligned views
     /// The page, by default A3. A page with `turns` stands upright if it is at most as wide as A4,
     /// otherwise it lies on its side (ISO 5457).
@@ -62,30 +98,46 @@ struct SheetOptions {
     std::string scale{};
     double unit = 1;       ///< millimetres in a unit of the model, above 0
     glm::vec3 up{0, 1, 0}; ///< the upward axis of the model, a unit axis
-    SheetFields fields{};  ///< of the title block
+    /// Origin of the points in the coordinates of sections' planes: LoadedMesh::origin.
+    glm::dvec3 origin{0};
+    SheetFields fields{}; ///< of the title block
     /// Overall sizes as dimensions in millimetres, the model's axes beside each view, and a scale
     /// bar.
     bool measures = false;
 };
 
-/// "front,30,20,top" as the sides "front", "30,20" and "top". Throws UsageError for a side that
-/// view_direction() does not know, for one that is named twice, and for none.
+/// "front,30,20,section:x=12" as "front", "30,20" and "section:x=12". Throws UsageError for a side
+/// that view_direction() does not know, for a plane that parse_section() does not know or that lies
+/// across no axis, for a view that is named twice, and for none.
 LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
+
+/// The sheet that a TOML file describes (docs/sheets.md): page, angle, scale, views, details and
+/// fields; the rest stays as in SheetOptions{}. Throws FileError that names the file, the line and
+/// the key.
+LINEATLAS_API SheetOptions load_sheet(const std::filesystem::path& file);
 
 /// A view and its place on the sheet.
 struct SheetView {
-    std::string name;       ///< the side, as "front"
+    std::string name;     ///< as in SheetOptions::views; of a detail with its letter, "detail_B"
+    std::string letter{}; ///< of a section or a detail, as "A"
+    std::string
+        own_scale{};        ///< of a detail, and of a view whose scale is not the sheet's, as "5:1"
     bool pictorial = false; ///< not aligned with others; without hidden lines
-    Camera camera{};        ///< draws the view; orthographic
-    double scale = 1;       ///< millimetres of paper in a pixel of the camera's picture
-    glm::dvec2 corner{0};   ///< millimetres: upper left corner of that picture
-    glm::dvec2 low{0};      ///< millimetres: upper left corner of the box around the drawing
-    glm::dvec2 high{0};     ///< millimetres: lower right corner of that box
+    bool detail = false;    ///< nothing is drawn outside of the circle in its box
+    /// Of a section, and a detail of one: the plane that cuts the model, in the coordinates of its
+    /// points. The view shows what cut_mesh() leaves, without hidden lines.
+    std::optional<SectionPlane> cut{};
+    Camera camera{};      ///< draws the view; orthographic
+    double scale = 1;     ///< millimetres of paper in a pixel of the camera's picture
+    glm::dvec2 corner{0}; ///< millimetres: upper left corner of that picture
+    glm::dvec2 low{0};    ///< millimetres: upper left corner of the box around the drawing
+    glm::dvec2 high{0};   ///< millimetres: lower right corner of that box
 };
 
 /// A line of the sheet itself, straight from point to point.
 struct SheetLine {
-    std::string layer;              ///< "frame", "title-block", "dimensions", "axes" or "scale-bar"
+    /// "frame", "title-block", "sections", "details", "dimensions", "axes" or "scale-bar".
+    std::string layer;
     double width = 0.25;            ///< millimetres
     std::vector<glm::dvec2> points; ///< millimetres; two at least
 };
@@ -119,18 +171,22 @@ struct SheetText {
 /// corner, y down.
 struct SheetLayout {
     glm::dvec2 size{0};                 ///< of the page
-    std::string scale{};                ///< of all views, as in "1:2"
+    std::string scale{};                ///< of the views that have none of their own, as in "1:2"
     std::string title{};                ///< of the document
     bool measures = false;              ///< as in SheetOptions
-    std::vector<SheetView> views{};     ///< in the order in which they were asked for
+    std::vector<SheetView> views{};     ///< in the order in which they were asked for, then details
     std::vector<SheetLine> lines{};     ///< of the sheet's own
-    std::vector<SheetCircle> circles{}; ///< of the symbol in the title block
+    std::vector<SheetCircle> circles{}; ///< of details and of the symbol in the title block
     std::vector<SheetText> texts{};     ///< of frame and title block
 };
 
 /// Lays out a sheet for a model with these points, such as LineSet::vertices. Throws UsageError if
-/// there are no points, for options out of range, for a page without room for the views, and for a
-/// scale that does not fit; the message then names one that fits.
+/// there are no points, for options out of range, for a section that misses the model or whose
+/// plane no other view shows as a line, for a detail beside its view or no larger than it, for a
+/// view placed by hand that leaves the frame or meets another view or the title block, for more
+/// sections and details than letters (A to Z without I and O),
+/// for a page without room for the views, and for a scale that does not fit; the message then names
+/// one that fits.
 LINEATLAS_API SheetLayout lay_out_sheet(std::span<const glm::vec3> points,
                                         const SheetOptions& options = {});
 
@@ -141,11 +197,19 @@ struct SeenLines {
     /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
     std::vector<VectorFill> fills{}; ///< of a style that fills: find_fills() finds them
+    /// Set for a section: the lines and the mesh of the model that was cut. They stay with who
+    /// found them, until the next view is asked for.
+    const LineSet* lines = nullptr;
+    const Mesh* mesh = nullptr;
 };
 
 /// Finds what `camera` sees of lines. Hidden intervals are needed too, because a style may close
 /// gaps in a line. LineVisibility::find() and Renderer::read_intervals() return such intervals.
 using FindLines = std::function<SeenLines(const Camera& camera)>;
+
+/// Finds what the camera of a view sees of the model, or of the rest of it if the view is a
+/// section. Hidden intervals are needed too.
+using FindViewLines = std::function<SeenLines(const SheetView& view)>;
 
 /// A sheet with its views drawn.
 struct VectorSheet {
@@ -158,9 +222,10 @@ struct VectorSheet {
 };
 
 /// Draws every view of a layout. A pixel of the style is that of CSS, 1/96 inch, whatever the
-/// paper's size: Style::made_for says nothing here. Throws as make_vector_drawing() and `find` do.
+/// paper's size: Style::made_for says nothing here. Throws as make_vector_drawing() and `find` do,
+/// and UsageError if `find` has no lines for a section.
 LINEATLAS_API VectorSheet make_vector_sheet(const LineSet& lines, const SheetLayout& layout,
-                                            const FindLines& find, const Style& style,
+                                            const FindViewLines& find, const Style& style,
                                             const VectorOptions& options = {});
 
 /// The style as it draws one view, in pixels of the view's camera.
