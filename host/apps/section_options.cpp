@@ -37,9 +37,10 @@ void SectionOptions::declare(CLI::App& app, const std::string& group) {
 void SectionOptions::check(bool sheet_cuts) const {
     for (const std::string& plane : planes_) parse_section(plane, {{0, 0, 0}, {1, 1, 1}});
     if (planes_.size() > most_sections)
-        throw UsageError(fmt::format("--section: {} planes at most", most_sections));
+        throw UsageError(fmt::format("--section may be given {} times at most, not {}",
+                                     most_sections, planes_.size()));
     if (planes_.empty() && !sheet_cuts && app_->count("--hatching") > 0)
-        throw UsageError("--hatching is for --section and for sections of --views");
+        throw UsageError("--hatching needs --section, or a section of --views; add one, or leave out --hatching");
     hatching();
 }
 

@@ -62,13 +62,16 @@ void SheetArguments::declare(CLI::App& app) {
 
 void SheetArguments::check(const ViewOptions& view, const std::filesystem::path& output) const {
     if (!view.is_sheet()) {
-        if (!fields_.empty()) throw UsageError("--field is for a sheet; see --views");
-        if (!details_.empty()) throw UsageError("--detail is for a sheet; see --views");
+        if (!fields_.empty())
+            throw UsageError("--field needs --views; add it, or leave out --field");
+        if (!details_.empty())
+            throw UsageError("--detail needs --views; add it, or leave out --detail");
         return;
     }
     for (const char* option : not_of_sheets)
         if (app_->count(option) > 0)
-            throw UsageError(fmt::format("--views and {} exclude each other", option));
+            throw UsageError(
+                fmt::format("--views and {} exclude each other; leave out one of them", option));
     sheet_of(view);
     if (view.to_scale()) parse_scale("--scale", view.scale());
     SheetFields fields;

@@ -55,7 +55,7 @@ SeenLines seen(Drawer& drawer, const std::shared_ptr<const ModelLines>& subject,
             find_fills(subject->lines, view.camera, style.fill, drawer.device(), asked)};
 }
 
-/// Draws all views of what the drawer has.
+/// Draws all views of the drawer's model on a sheet.
 VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style, std::string& of_framing,
                  const Progress& asked) {
     const std::shared_ptr<const ModelLines> subject = drawer.subject();

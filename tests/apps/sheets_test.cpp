@@ -387,7 +387,7 @@ TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
     EXPECT_FALSE(fs::exists(path("x.svg")));
 }
 
-TEST_F(Sheets, AutoSaysWhatAPartIs) {
+TEST_F(Sheets, AutomaticSheetsSummariseThePart) {
     const auto summary = [&](const std::string& model, const std::string& options = "") {
         return run("draw " + path(model) + " --up y --views auto -o " + path("a.svg") + " " +
                    options);
