@@ -60,7 +60,7 @@ TEST_F(ViewerExport, APageIsWhatTheToolDraws) {
     hand_.click("export.save");
     EXPECT_EQ(error(), "");
     EXPECT_EQ(app_.ui().panel, viewer::Panel::none);
-    draw_by_tool("--size 968x800 --page a4 --margin 10mm --camera-path " + path("m.json"),
+    draw_by_tool("--size 968x760 --page a4 --margin 10mm --camera-path " + path("m.json"),
                  "tool.%d.svg");
     EXPECT_EQ(drawn_in(text_of(path("m.svg"))), drawn_in(text_of(path("tool.0.svg"))));
 }
@@ -129,9 +129,9 @@ TEST_F(ViewerExport, PixelsOnPaperAreAsManyAsItNeeds) {
 }
 
 TEST_F(ViewerExport, TheScreenIsSavedWithMorePixels) {
-    hand_.choose("export.pixels", "1936 x 1600");
+    hand_.choose("export.pixels", "1936 x 1520");
     hand_.click("export.save");
-    EXPECT_EQ(read_image(path("m.png")).size, (glm::ivec2{1936, 1600}));
+    EXPECT_EQ(read_image(path("m.png")).size, (glm::ivec2{1936, 1520}));
 }
 
 TEST_F(ViewerExport, IsDoneByKeysAlone) {

@@ -124,6 +124,8 @@ enum class SavedKind { session, png, svg, style, camera, trace };
 void save_as(Ui& ui, SavedKind kind);
 
 float sidebar_width(const Ui& ui);
+/// The place of the picture, which neither the tool bar nor the sidebar covers.
+Area canvas_area(const Ui& ui, glm::vec2 window);
 
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);
