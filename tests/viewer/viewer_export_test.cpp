@@ -79,6 +79,43 @@ TEST_F(ViewerExport, DxfIsToScale) {
     EXPECT_EQ(options().scale, "1:2") << "as it was last";
 }
 
+TEST_F(ViewerExport, AScaleIsTyped) {
+    const auto type = [&](const char* scale) {
+        hand_.click("export.scale.text");
+        hand_.type(scale);
+        hand_.key(GLFW_KEY_ENTER);
+    };
+    hand_.click("export.laser");
+    type("0.4");
+    EXPECT_EQ(options().scale, "1:2.5");
+    EXPECT_EQ(app_.ui().exporting.scale, "1:2.5") << "the field says how it is written";
+    type("1:0.75");
+    EXPECT_EQ(problem(), "");
+    hand_.screenshot("export_typed");
+    type("half");
+    EXPECT_NE(problem().find("\"half\""), std::string::npos) << problem();
+    EXPECT_EQ(problem().find('\n'), std::string::npos);
+    hand_.screenshot("export_typed_wrong");
+    hand_.click("export.save");
+    EXPECT_FALSE(std::filesystem::exists(path("m.dxf")));
+    type("1:0.75");
+    hand_.click("export.save");
+    EXPECT_NEAR(extent_of(text_of(path("m.dxf")), 0).length(), 6 / 0.75, 1e-3);
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    EXPECT_EQ(app_.ui().exporting.scale, "1:0.75") << "as it was last";
+    hand_.choose("export.scale", "as large as fits");
+    EXPECT_EQ(app_.ui().exporting.scale, "");
+}
+
+TEST(ViewerScales, AreWrittenAsRatios) {
+    EXPECT_EQ(viewer::scale_of_text("0.4"), "1:2.5");
+    EXPECT_EQ(viewer::scale_of_text("2"), "2:1");
+    EXPECT_EQ(viewer::scale_of_text("0.333"), "0.333:1") << "to the last digit";
+    EXPECT_EQ(viewer::scale_of_text("1 : 2.5"), "1:2.5");
+    EXPECT_EQ(viewer::scale_of_text(""), "");
+    EXPECT_EQ(viewer::scale_of_text("1:"), "1:");
+}
+
 TEST_F(ViewerExport, AScaleThatDoesNotFitIsSaidBeforeAnythingIsWritten) {
     hand_.click("export.print");
     hand_.choose("export.scale", "50:1");

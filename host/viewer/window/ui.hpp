@@ -81,7 +81,8 @@ struct OpenState {
 /// The state of the panel of exports. It is kept when the panel closes.
 struct ExportState {
     ExportOptions options{};
-    std::string name{}; ///< of the file
+    std::string scale{}; ///< as it is typed
+    std::string name{};  ///< of the file
 };
 
 /// What the panels need besides the session.
