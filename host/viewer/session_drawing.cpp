@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/style_lengths.hpp"
 #include "long_lines.hpp"
 #include "session.hpp"
 
@@ -85,6 +86,7 @@ void Session::draw() {
     for (std::size_t side = 0; side < picture->options.size(); ++side) {
         FrameOptions& options = picture->options.at(side) = frame_options(settings, side);
         save_time(options, picture->economy, size_);
+        options.style = about_origin(options.style, origin());
         options.steady = options.steady && moving_; // at rest nothing of the frames before is left
         options.profile = profile && side == 0 && !rests;
     }

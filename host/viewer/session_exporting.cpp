@@ -63,7 +63,7 @@ void Session::make_preview() {
         for (const PageView& view : preview_.page.views) {
             Camera camera = view.camera;
             camera.size = glm::max(glm::ivec2{glm::round(scale * (view.high - view.low))}, 1);
-            options.style = view.style;
+            options.style = about_origin(view.style, origin());
             if (options.style.made_for == 0)
                 multiply_lengths(options.style, static_cast<float>(camera.size.y) /
                                                     static_cast<float>(view.camera.size.y));

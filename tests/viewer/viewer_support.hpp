@@ -18,6 +18,7 @@ inline std::string text_of(const std::string& path) {
 /// A cube of two units about `at`, as a separate object.
 inline std::string box(const std::string& name, glm::vec3 at, int first) {
     std::ostringstream text;
+    text.precision(9); // all digits of a float
     text << "o " << name << '\n';
     for (int i = 0; i < 8; ++i) {
         text << "v " << at.x + ((i & 1) != 0 ? 1 : -1) << ' ' << at.y + ((i & 2) != 0 ? 1 : -1)
