@@ -155,6 +155,15 @@ ExportOptions suited_to(Purpose purpose, ExportOptions options) {
     return options;
 }
 
+ExportOptions as_format(FileFormat format, ExportOptions options) {
+    if (options.purpose == Purpose::screen && format == FileFormat::pdf)
+        options.purpose = Purpose::print;
+    if (options.purpose == Purpose::screen && format == FileFormat::dxf)
+        options.purpose = Purpose::laser;
+    options.format = format;
+    return options;
+}
+
 std::string scale_of_text(std::string text) {
     std::erase(text, ' ');
     const std::optional<double> factor = number_from(text);

@@ -33,24 +33,6 @@ class ViewerExport : public Viewer {
     }
 };
 
-/// The numbers after each group code 10 and 11, or 20 and 21, of a DXF's lines.
-struct Extent {
-    double low = 1e9, high = -1e9;
-    double length() const { return high - low; }
-};
-Extent extent_of(const std::string& dxf, int axis) {
-    Extent extent;
-    std::istringstream text{dxf.substr(dxf.find("ENTITIES\n") + 9)};
-    std::string code, value;
-    while (std::getline(text, code) && std::getline(text, value)) {
-        const int number = std::atoi(code.c_str());
-        if (number != 10 * (axis + 1) && number != 10 * (axis + 1) + 1) continue;
-        extent.low = std::min(extent.low, std::stod(value));
-        extent.high = std::max(extent.high, std::stod(value));
-    }
-    return extent;
-}
-
 TEST_F(ViewerExport, APageIsWhatTheToolDraws) {
     hand_.save(viewer::SavedKind::camera);
     hand_.click("export.print");

@@ -82,7 +82,7 @@ void format_row(Ui& ui) {
         ImGui::BeginDisabled(options.sheet && format == FileFormat::json); // JSON has one view
         if (toggle(ui, ("export." + extension).c_str(), in_capitals(extension).c_str(),
                    options.format == format)) {
-            options.format = format;
+            options = as_format(format, options);
             take_extension(ui);
         }
         ImGui::EndDisabled();
