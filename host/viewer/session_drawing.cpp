@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/style_lengths.hpp"
+#include "freed_memory.hpp"
 #include "long_lines.hpp"
 #include "session.hpp"
 
@@ -168,7 +169,8 @@ void Session::renew_sketch(const Picture& picture) {
 
 bool Session::take_picture(std::chrono::milliseconds longest) {
     if (picture_ == nullptr || !drawing_.wait_for(longest)) return false;
-    const std::unique_ptr<Picture> done = std::move(picture_);
+    std::unique_ptr<Picture> done = std::move(picture_);
+    const bool of_other_model = shown_.model != done->model;
     ++frames_drawn_;
     if (done->failure) attempt([&] { std::rethrow_exception(done->failure); });
     refine_failed_ = done->failure && done->refined;
@@ -179,6 +181,8 @@ bool Session::take_picture(std::chrono::milliseconds longest) {
         if (shown_.tells_pace) pace_.note(shown_.economy, shown_.seconds);
     }
     spare_ = std::move(done->canvases);
+    done.reset(); // the picture before, which may be the last to have its model
+    if (of_other_model) give_freed_memory_back();
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "core/style_lengths.hpp"
+#include "freed_memory.hpp"
 #include "session.hpp"
 #include "style/member_names.hpp"
 
@@ -20,6 +21,7 @@ bool Session::export_to(const std::filesystem::path& path, const ExportOptions& 
     if (model_ == nullptr) return false;
     return attempt([&] {
         drawing_.run([&] { save(options, exported(), path, *renderer_, writer_); });
+        give_freed_memory_back(); // a page has many more pixels than the window
         messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame is not that of the window any more
     });
