@@ -121,7 +121,7 @@ TEST(ViewerSoak, GivesTheMemoryOfALargeModelBack) {
     const std::filesystem::path small = folder.path() / "small.obj",
                                 large = folder.path() / "large.obj";
     std::ofstream{small} << torus(60);
-    std::ofstream{large} << torus(wanted == nullptr ? 450 : std::atoi(wanted));
+    std::ofstream{large} << torus(wanted == nullptr ? 600 : std::atoi(wanted));
     ImageWriter writer;
     viewer::Application app{{.size = {800, 500}, .scripted = true}, writer};
     ViewerDriver hand{app};
@@ -135,8 +135,9 @@ TEST(ViewerSoak, GivesTheMemoryOfALargeModelBack) {
     }
     const double taken = megabytes[1] - megabytes[0];
     EXPECT_GT(taken, 100) << "nothing was measured";
-    EXPECT_LT(megabytes[2] - megabytes[0], 0.25 * taken);
-    EXPECT_LT(megabytes[4] - megabytes[2], 0.1 * taken) << "once more is no more";
+    // Without a trim 0.6 of it stay.
+    for (const std::size_t small_again : {2, 4})
+        EXPECT_LT(megabytes.at(small_again) - megabytes[0], 0.4 * taken);
 }
 
 } // namespace
