@@ -12,6 +12,7 @@
 #include "command_line/values.hpp"
 #include "compute/kernels.hpp"
 #include "core/line_pens.hpp"
+#include "core/style_lengths.hpp"
 #include "description.hpp"
 #include "draw_sheet.hpp"
 #include "draw_stats.hpp"
@@ -315,12 +316,6 @@ void forget_sources(Subject& subject) {
     subject.lines.sources = std::vector<LineSource>{};
     for (auto* sources : {&subject.lines.vertex_sources, &subject.lines.triangle_sources})
         *sources = std::vector<std::uint32_t>{};
-}
-
-/// A style about the origin of the mesh. Its focus in the scene is given in the file's coordinates.
-Style about_origin(Style style, glm::dvec3 origin) {
-    if (style.focus.in_scene) style.focus.point -= origin;
-    return style;
 }
 
 void draw(const DrawArguments& arguments, const CLI::App& app) {

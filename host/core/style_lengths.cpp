@@ -17,4 +17,9 @@ void multiply_lengths(Style& style, float factor) {
     style.made_for = 0;
 }
 
+Style about_origin(Style style, glm::dvec3 origin) {
+    if (style.focus.in_scene) style.focus.point -= origin;
+    return style;
+}
+
 } // namespace lineatlas

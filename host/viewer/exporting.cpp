@@ -6,6 +6,7 @@
 #include <fmt/ranges.h> // fmt::join
 #include <glm/geometric.hpp>
 
+#include "base/numbers.hpp"
 #include "command_line/view_options.hpp"
 #include "core/style_lengths.hpp"
 #include "lineatlas/error.hpp"
@@ -152,6 +153,24 @@ ExportOptions suited_to(Purpose purpose, ExportOptions options) {
     options.format = formats.at(static_cast<std::size_t>(purpose));
     if (purpose == Purpose::screen) options.sheet = false;
     return options;
+}
+
+ExportOptions as_format(FileFormat format, ExportOptions options) {
+    if (options.purpose == Purpose::screen && format == FileFormat::pdf)
+        options.purpose = Purpose::print;
+    if (options.purpose == Purpose::screen && format == FileFormat::dxf)
+        options.purpose = Purpose::laser;
+    options.format = format;
+    return options;
+}
+
+std::string scale_of_text(std::string text) {
+    std::erase(text, ' ');
+    const std::optional<double> factor = number_from(text);
+    if (!factor) return text;
+    const std::string reciprocal = fmt::format("{:g}", 1 / *factor);
+    const bool is_exact = std::abs(*factor * number_from(reciprocal).value_or(0) - 1) < 1e-12;
+    return *factor < 1 && is_exact ? "1:" + reciprocal : text + ":1";
 }
 
 bool is_on_paper(const ExportOptions& options) {

@@ -40,6 +40,14 @@ struct ExportOptions {
 /// The options with the usual format for a purpose, and the settings that go with it.
 ExportOptions suited_to(Purpose purpose, ExportOptions options);
 
+/// The options with a format. PDF and DXF have a page and a scale, which the screen has not: in
+/// place of it they are for print and for a laser.
+ExportOptions as_format(FileFormat format, ExportOptions options);
+
+/// A typed scale as ExportOptions::scale: a factor such as 0.4 becomes "1:2.5", and other text
+/// stays as it is.
+std::string scale_of_text(std::string text);
+
 /// Whether the drawing has a page. A picture for the screen and JSON have none.
 bool is_on_paper(const ExportOptions& options);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/style_lengths.hpp"
 #include "io/atomic_file.hpp"
 #include "lineatlas/fills.hpp"
 #include "output/picture_output.hpp"
@@ -33,7 +34,8 @@ std::string style_arguments(const Style& style) {
 }
 
 void save_paths(const SavedPicture& picture, const Camera& camera,
-                const std::filesystem::path& path, Renderer& renderer) {
+                const std::filesystem::path& path, Renderer& renderer,
+                const std::string& description) {
     VectorFrame frame;
     frame.style = picture.options.style;
     frame.paths.mesh = picture.model.mesh.get();
@@ -47,7 +49,7 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     }
     frame.svg.title = picture.model.source.stem();
     frame.json.origin = picture.model.origin;
-    frame.description = command_of(picture);
+    frame.description = description;
     VectorOutput output{std::move(frame), picture.model.lines,
                         [&](const Camera& seen) -> SeenLines {
                             return find_paths(renderer, picture.model.lines, seen, picture.options,
@@ -58,10 +60,11 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
 }
 
 void save_pixels(const SavedPicture& picture, const Camera& camera,
-                 const std::filesystem::path& path, Renderer& renderer, ImageWriter& writer) {
+                 const std::filesystem::path& path, Renderer& renderer, ImageWriter& writer,
+                 const std::string& description) {
     check_image_path(path);
     ImageSettings settings;
-    settings.description = command_of(picture);
+    settings.description = description;
     settings.dpi = picture.dpi;
     PictureOutput output{
         {.size = picture.size, .options = picture.options, .settings = settings}, renderer, writer};
@@ -119,9 +122,12 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
     SavedPicture still = picture;
     still.options.steady = false; // not averaged with the frames before
     const Camera camera = make_camera(picture.view, picture.size, picture.model.lines.bounds);
-    if (!is_path_file(path)) return save_pixels(still, camera, path, renderer, writer);
-    still.options = options_of_paths(still.options);
-    save_paths(still, camera, path, renderer);
+    const bool by_paths = is_path_file(path);
+    if (by_paths) still.options = options_of_paths(still.options);
+    const std::string description = command_of(still); // with the focus as the file has places
+    still.options.style = about_origin(still.options.style, picture.model.origin);
+    if (by_paths) return save_paths(still, camera, path, renderer, description);
+    save_pixels(still, camera, path, renderer, writer, description);
 }
 
 void save_text(const std::string& text, const std::filesystem::path& path) {

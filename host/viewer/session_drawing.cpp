@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/style_lengths.hpp"
+#include "freed_memory.hpp"
 #include "long_lines.hpp"
 #include "session.hpp"
 
@@ -85,6 +87,7 @@ void Session::draw() {
     for (std::size_t side = 0; side < picture->options.size(); ++side) {
         FrameOptions& options = picture->options.at(side) = frame_options(settings, side);
         save_time(options, picture->economy, size_);
+        options.style = about_origin(options.style, origin());
         options.steady = options.steady && moving_; // at rest nothing of the frames before is left
         options.profile = profile && side == 0 && !rests;
     }
@@ -166,7 +169,8 @@ void Session::renew_sketch(const Picture& picture) {
 
 bool Session::take_picture(std::chrono::milliseconds longest) {
     if (picture_ == nullptr || !drawing_.wait_for(longest)) return false;
-    const std::unique_ptr<Picture> done = std::move(picture_);
+    std::unique_ptr<Picture> done = std::move(picture_);
+    const bool of_other_model = shown_.model != done->model;
     ++frames_drawn_;
     if (done->failure) attempt([&] { std::rethrow_exception(done->failure); });
     refine_failed_ = done->failure && done->refined;
@@ -177,6 +181,8 @@ bool Session::take_picture(std::chrono::milliseconds longest) {
         if (shown_.tells_pace) pace_.note(shown_.economy, shown_.seconds);
     }
     spare_ = std::move(done->canvases);
+    done.reset(); // the picture before, which may be the last to have its model
+    if (of_other_model) give_freed_memory_back();
     return true;
 }
 

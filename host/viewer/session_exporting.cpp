@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "core/style_lengths.hpp"
+#include "freed_memory.hpp"
 #include "session.hpp"
 #include "style/member_names.hpp"
 
@@ -20,6 +21,7 @@ bool Session::export_to(const std::filesystem::path& path, const ExportOptions& 
     if (model_ == nullptr) return false;
     return attempt([&] {
         drawing_.run([&] { save(options, exported(), path, *renderer_, writer_); });
+        give_freed_memory_back(); // a page has many more pixels than the window
         messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame is not that of the window any more
     });
@@ -63,7 +65,7 @@ void Session::make_preview() {
         for (const PageView& view : preview_.page.views) {
             Camera camera = view.camera;
             camera.size = glm::max(glm::ivec2{glm::round(scale * (view.high - view.low))}, 1);
-            options.style = view.style;
+            options.style = about_origin(view.style, origin());
             if (options.style.made_for == 0)
                 multiply_lengths(options.style, static_cast<float>(camera.size.y) /
                                                     static_cast<float>(view.camera.size.y));

@@ -78,6 +78,15 @@ class ViewerDriver {
         app_.input().on_scroll({0, clicks});
         rest();
     }
+    /// The place in the window of a place in the picture, which begins below the tool bar. Both in
+    /// points.
+    glm::dvec2 in_window(glm::dvec2 of_picture) const {
+        return of_picture + glm::dvec2{viewer::canvas_area(app_.ui(), app_.window().points()).low};
+    }
+    /// The same for shares of the picture's width and height.
+    glm::dvec2 at_shares(glm::dvec2 shares) {
+        return in_window(shares * glm::dvec2{session().size()});
+    }
     glm::dvec2 middle_of(const std::string& spot) {
         const std::optional<viewer::Area> area = app_.ui().spots.find(spot);
         if (!area) throw std::runtime_error{"the window has no \"" + spot + "\""};

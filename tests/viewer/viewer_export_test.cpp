@@ -33,24 +33,6 @@ class ViewerExport : public Viewer {
     }
 };
 
-/// The numbers after each group code 10 and 11, or 20 and 21, of a DXF's lines.
-struct Extent {
-    double low = 1e9, high = -1e9;
-    double length() const { return high - low; }
-};
-Extent extent_of(const std::string& dxf, int axis) {
-    Extent extent;
-    std::istringstream text{dxf.substr(dxf.find("ENTITIES\n") + 9)};
-    std::string code, value;
-    while (std::getline(text, code) && std::getline(text, value)) {
-        const int number = std::atoi(code.c_str());
-        if (number != 10 * (axis + 1) && number != 10 * (axis + 1) + 1) continue;
-        extent.low = std::min(extent.low, std::stod(value));
-        extent.high = std::max(extent.high, std::stod(value));
-    }
-    return extent;
-}
-
 TEST_F(ViewerExport, APageIsWhatTheToolDraws) {
     hand_.save(viewer::SavedKind::camera);
     hand_.click("export.print");
@@ -60,7 +42,7 @@ TEST_F(ViewerExport, APageIsWhatTheToolDraws) {
     hand_.click("export.save");
     EXPECT_EQ(error(), "");
     EXPECT_EQ(app_.ui().panel, viewer::Panel::none);
-    draw_by_tool("--size 968x800 --page a4 --margin 10mm --camera-path " + path("m.json"),
+    draw_by_tool("--size 968x760 --page a4 --margin 10mm --camera-path " + path("m.json"),
                  "tool.%d.svg");
     EXPECT_EQ(drawn_in(text_of(path("m.svg"))), drawn_in(text_of(path("tool.0.svg"))));
 }
@@ -77,6 +59,43 @@ TEST_F(ViewerExport, DxfIsToScale) {
     hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
     EXPECT_EQ(app_.ui().exporting.name, "m-2.dxf") << "nothing is overwritten unasked";
     EXPECT_EQ(options().scale, "1:2") << "as it was last";
+}
+
+TEST_F(ViewerExport, AScaleIsTyped) {
+    const auto type = [&](const char* scale) {
+        hand_.click("export.scale.text");
+        hand_.type(scale);
+        hand_.key(GLFW_KEY_ENTER);
+    };
+    hand_.click("export.laser");
+    type("0.4");
+    EXPECT_EQ(options().scale, "1:2.5");
+    EXPECT_EQ(app_.ui().exporting.scale, "1:2.5") << "the field says how it is written";
+    type("1:0.75");
+    EXPECT_EQ(problem(), "");
+    hand_.screenshot("export_typed");
+    type("half");
+    EXPECT_NE(problem().find("\"half\""), std::string::npos) << problem();
+    EXPECT_EQ(problem().find('\n'), std::string::npos);
+    hand_.screenshot("export_typed_wrong");
+    hand_.click("export.save");
+    EXPECT_FALSE(std::filesystem::exists(path("m.dxf")));
+    type("1:0.75");
+    hand_.click("export.save");
+    EXPECT_NEAR(extent_of(text_of(path("m.dxf")), 0).length(), 6 / 0.75, 1e-3);
+    hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL);
+    EXPECT_EQ(app_.ui().exporting.scale, "1:0.75") << "as it was last";
+    hand_.choose("export.scale", "as large as fits");
+    EXPECT_EQ(app_.ui().exporting.scale, "");
+}
+
+TEST(ViewerScales, AreWrittenAsRatios) {
+    EXPECT_EQ(viewer::scale_of_text("0.4"), "1:2.5");
+    EXPECT_EQ(viewer::scale_of_text("2"), "2:1");
+    EXPECT_EQ(viewer::scale_of_text("0.333"), "0.333:1") << "to the last digit";
+    EXPECT_EQ(viewer::scale_of_text("1 : 2.5"), "1:2.5");
+    EXPECT_EQ(viewer::scale_of_text(""), "");
+    EXPECT_EQ(viewer::scale_of_text("1:"), "1:");
 }
 
 TEST_F(ViewerExport, AScaleThatDoesNotFitIsSaidBeforeAnythingIsWritten) {
@@ -129,9 +148,9 @@ TEST_F(ViewerExport, PixelsOnPaperAreAsManyAsItNeeds) {
 }
 
 TEST_F(ViewerExport, TheScreenIsSavedWithMorePixels) {
-    hand_.choose("export.pixels", "1936 x 1600");
+    hand_.choose("export.pixels", "1936 x 1520");
     hand_.click("export.save");
-    EXPECT_EQ(read_image(path("m.png")).size, (glm::ivec2{1936, 1600}));
+    EXPECT_EQ(read_image(path("m.png")).size, (glm::ivec2{1936, 1520}));
 }
 
 TEST_F(ViewerExport, IsDoneByKeysAlone) {

@@ -67,6 +67,40 @@ TEST_F(ViewerFiles, AreAddedAndWhatIsHiddenStaysSo) {
     EXPECT_EQ(session().model()->source.files.size(), 1U) << "it stands alone again";
 }
 
+/// In the file's coordinates, as in the tool.
+TEST_F(ViewerFiles, AFocusFarFromZeroIsWhereItIsNearIt) {
+    constexpr float away = 1e6F;
+    std::ofstream{path("near.obj")} << box("Box", {0, 0, 0}, 1);
+    std::ofstream{path("far.obj")} << box("Box", {away, away, away}, 1);
+    const auto drawn = [&](const std::string& name, glm::dvec3 focus) {
+        drop({name});
+        session().settings.style.focus = {.on = true,
+                                          .in_scene = true,
+                                          .point = focus,
+                                          .radius = 0.1F,
+                                          .falloff = 0.1F,
+                                          .width = 4,
+                                          .opacity = 1};
+        session().changed();
+        hand_.rest();
+        return picture();
+    };
+    const glm::dvec3 corner{1, 1, 1};
+    const auto near = drawn("near.obj", corner);
+    EXPECT_NE(drawn("near.obj", -corner), near) << "it is seen";
+    EXPECT_EQ(drawn("far.obj", corner + double{away}), near);
+    EXPECT_GT(glm::length(session().origin()), away) << "it has an origin of its own";
+    hand_.screenshot("focus");
+    hand_.save(viewer::SavedKind::png);
+    hand_.save(viewer::SavedKind::style);
+    hand_.save(viewer::SavedKind::camera);
+    const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("far.obj") +
+                                " --method atlas --size 968x760 --style " + path("far.toml") +
+                                " --camera-path " + path("far.json") + " -o " + path("tool.%d.png");
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    EXPECT_EQ(read_image(path("far.png")).pixels, read_image(path("tool.0.png")).pixels);
+}
+
 TEST_F(ViewerFiles, ASessionOfThemIsDrawnByTheToolAndReadAgain) {
     drop({"left.obj", "right.obj"});
     hand_.click("show:Base");

@@ -21,7 +21,7 @@ class ViewerParts : public Viewer {
     std::size_t lines() { return session().model()->lines.segments.size(); }
     void click_at(double share_of_width, const char* why) {
         SCOPED_TRACE(why);
-        const glm::dvec2 place{share_of_width * session().size().x, 0.5 * session().size().y};
+        const glm::dvec2 place = hand_.at_shares({share_of_width, 0.5});
         hand_.drag(GLFW_MOUSE_BUTTON_LEFT, place, place);
     }
     std::string selected() {
@@ -119,7 +119,7 @@ TEST_F(ViewerParts, AreShownAloneWithoutWhatTheyAreIn) {
     const std::string saved = text_of(path("arm.svg"));
     EXPECT_NE(saved.find("--only Arm/Hand"), std::string::npos);
     const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("arm.gltf") +
-                                " --only Arm/Hand --size 968x800 --camera-path " +
+                                " --only Arm/Hand --size 968x760 --camera-path " +
                                 path("arm.json") + " -o " + path("tool.%d.svg");
     ASSERT_EQ(std::system(command.c_str()), 0);
     const auto paths = [](const std::string& svg) { return svg.substr(svg.find("<path")); };
@@ -137,7 +137,7 @@ TEST_F(ViewerParts, AreShownAloneWithoutWhatTheyAreIn) {
 
 TEST_F(ViewerParts, SeveralAreSelected) {
     click_at(0.35, "left");
-    const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
+    const glm::dvec2 right = hand_.at_shares({0.65, 0.5});
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right, GLFW_MOD_CONTROL);
     EXPECT_EQ(selected(), "Base, Bolt M8");
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right, GLFW_MOD_SHIFT);
@@ -156,7 +156,7 @@ TEST_F(ViewerParts, SeveralAreSelected) {
 }
 
 TEST_F(ViewerParts, HaveAMenu) {
-    const glm::dvec2 left{0.35 * session().size().x, 0.5 * session().size().y};
+    const glm::dvec2 left = hand_.at_shares({0.35, 0.5});
     hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, left, left);
     EXPECT_EQ(selected(), "Base");
     hand_.screenshot("menu");
@@ -250,7 +250,7 @@ TEST_F(ViewerParts, SavedPathsAreThoseOfTheToolThatHidesThem) {
     const std::string saved = text_of(path("m.svg"));
     EXPECT_NE(saved.find("--hide 'Bolt M8'"), std::string::npos);
     const std::string command = std::string{LINEATLAS_TOOL} + " draw " + path("m.obj") +
-                                " --hide 'Bolt M8' --size 968x800 --camera-path " + path("m.json") +
+                                " --hide 'Bolt M8' --size 968x760 --camera-path " + path("m.json") +
                                 " -o " + path("tool.%d.svg");
     ASSERT_EQ(std::system(command.c_str()), 0);
     const auto paths = [](const std::string& svg) {

@@ -119,7 +119,7 @@ TEST_F(ViewerSession, NoMoreThanSixSectionsAndNoneThatTakesAll) {
 TEST_F(ViewerSession, ClicksPassThroughWhatIsCutAway) {
     hand_.key(GLFW_KEY_C);
     hand_.click("section.0.X"); // the parts right of the middle are gone
-    const glm::dvec2 right{0.65 * session().size().x, 0.5 * session().size().y};
+    const glm::dvec2 right = hand_.at_shares({0.65, 0.5});
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, right, right);
     EXPECT_TRUE(session().selected.empty());
 }
@@ -334,8 +334,8 @@ TEST_F(ViewerSession, ThePictureIsSaidToBecomeExactUntilItIs) {
 TEST_F(ViewerSession, DistancesAreMeasuredFromCornerToCorner) {
     const auto click = [&](glm::dvec3 corner) {
         // A place a few pixels within the face.
-        const glm::dvec2 at =
-            *viewer::seen_at(session().navigation.view(), 0.99 * corner, session().size());
+        const glm::dvec2 at = hand_.in_window(
+            *viewer::seen_at(session().navigation.view(), 0.99 * corner, session().size()));
         hand_.drag(GLFW_MOUSE_BUTTON_LEFT, at, at);
     };
     hand_.key(GLFW_KEY_R);

@@ -11,7 +11,7 @@
 
 #include "support/fault_layer/fault_layer.hpp"
 #include "support/held_memory.hpp"
-#include "viewer_driver.hpp"
+#include "viewer_support.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -112,6 +112,32 @@ TEST(ViewerSoak, LeavesNothingBehind) {
     constexpr double most_growth = 4; // MB
     EXPECT_LT(least(periods.end() - quarter, periods.end()),
               least(periods.end() - 2 * quarter, periods.end() - quarter) + most_growth);
+}
+
+/// LINEATLAS_SOAK_SIDE: the large model has twice its square of triangles.
+TEST(ViewerSoak, GivesTheMemoryOfALargeModelBack) {
+    const char* wanted = std::getenv("LINEATLAS_SOAK_SIDE");
+    const TemporaryFolder folder;
+    const std::filesystem::path small = folder.path() / "small.obj",
+                                large = folder.path() / "large.obj";
+    std::ofstream{small} << torus(60);
+    std::ofstream{large} << torus(wanted == nullptr ? 600 : std::atoi(wanted));
+    ImageWriter writer;
+    viewer::Application app{{.size = {800, 500}, .scripted = true}, writer};
+    ViewerDriver hand{app};
+    std::array<double, 5> megabytes{};
+    for (std::size_t i = 0; i < megabytes.size(); ++i) {
+        hand.drop(i % 2 == 0 ? small : large);
+        ASSERT_TRUE(app.session().refined()) << "the exact picture has its memory, too";
+        megabytes.at(i) = static_cast<double>(held_memory()) * 1024 / 1e6;
+        std::printf("%s, %zu triangles: %.1f MB\n", app.session().model()->source.name().c_str(),
+                    app.session().model()->lines.triangles.size(), megabytes.at(i));
+    }
+    const double taken = megabytes[1] - megabytes[0];
+    EXPECT_GT(taken, 100) << "nothing was measured";
+    // Without a trim 0.6 of it stay.
+    for (const std::size_t small_again : {2, 4})
+        EXPECT_LT(megabytes.at(small_again) - megabytes[0], 0.4 * taken);
 }
 
 } // namespace

@@ -38,6 +38,37 @@ TEST_F(ViewerStart, AnEmptyWindowOpensFilesAndExamples) {
     EXPECT_FALSE(hand_.has("start.open"));
 }
 
+/// By what is in sight alone: no key and no command is known.
+TEST_F(ViewerStart, FromAnEmptyWindowToADrawingOfAPartAtAScale) {
+    std::ofstream{path("valve.obj")}
+        << box("Cover", {0, 0, 4}, 1) + box("Disc", {0, 0, 0}, 9) + box("Seat", {0, 0, -4}, 17);
+    app_.ui().folder = folder_.path().string();
+    app_.ui().open.folder = folder_.path();
+    session().up = glm::vec3{0, 1, 0};
+    hand_.panel_frames(3);
+    hand_.click("start.open");
+    hand_.click("entry:valve.obj");
+    ASSERT_NE(session().model(), nullptr);
+    hand_.click("front");
+    const glm::dvec2 middle = hand_.at_shares({0.5, 0.5});
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, middle, middle);
+    hand_.click("menu:Hide");
+    EXPECT_EQ(session().settings.shown.parts.hidden.size(), 1U) << "the cover is before the disc";
+    hand_.drag(GLFW_MOUSE_BUTTON_RIGHT, middle, middle);
+    hand_.click("menu:Show alone");
+    hand_.click("export");
+    hand_.click("export.dxf");
+    hand_.choose("export.scale", "1:2");
+    hand_.screenshot("first_drawing");
+    EXPECT_EQ(session().preview_problem(), "");
+    hand_.click("export.save");
+    const std::string dxf = text_of(path("valve.dxf"));
+    EXPECT_EQ(session().model()->mesh->triangles.size(), 12U) << "the disc alone";
+    EXPECT_NEAR(extent_of(dxf, 0).length(), 1, 1e-3) << "its side of 2 mm";
+    EXPECT_NEAR(extent_of(dxf, 1).length(), 1, 1e-3);
+    EXPECT_TRUE(session().messages.all().back().text.starts_with("Saved"));
+}
+
 TEST_F(ViewerStart, PanelsCloseEachOther) {
     hand_.open_scene("clevis");
     for (const auto& [key, mods, panel] :

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+
+#include <glm/gtc/constants.hpp>
 
 #include "temporary_folder.hpp"
 #include "viewer_driver.hpp"
@@ -18,6 +22,7 @@ inline std::string text_of(const std::string& path) {
 /// A cube of two units about `at`, as a separate object.
 inline std::string box(const std::string& name, glm::vec3 at, int first) {
     std::ostringstream text;
+    text.precision(9); // all digits of a float
     text << "o " << name << '\n';
     for (int i = 0; i < 8; ++i) {
         text << "v " << at.x + ((i & 1) != 0 ? 1 : -1) << ' ' << at.y + ((i & 2) != 0 ? 1 : -1)
@@ -29,6 +34,43 @@ inline std::string box(const std::string& name, glm::vec3 at, int first) {
         for (int corner = 0; corners >> corner;) text << ' ' << first + corner - 1;
         text << '\n';
     }
+    return text.str();
+}
+
+/// The numbers after each group code 10 and 11, or 20 and 21, of a DXF's lines.
+struct Extent {
+    double low = 1e9, high = -1e9;
+    double length() const { return high - low; }
+};
+inline Extent extent_of(const std::string& dxf, int axis) {
+    Extent extent;
+    std::istringstream text{dxf.substr(dxf.find("ENTITIES\n") + 9)};
+    std::string code, value;
+    while (std::getline(text, code) && std::getline(text, value)) {
+        const int number = std::atoi(code.c_str());
+        if (number != 10 * (axis + 1) && number != 10 * (axis + 1) + 1) continue;
+        extent.low = std::min(extent.low, std::stod(value));
+        extent.high = std::max(extent.high, std::stod(value));
+    }
+    return extent;
+}
+
+/// A torus of 2 * `side` * `side` triangles.
+inline std::string torus(int side) {
+    std::ostringstream text;
+    text << "o Torus\n";
+    const auto angle = [&](int i) { return glm::two_pi<double>() * i / side; };
+    for (int i = 0; i < side * side; ++i) {
+        const double about = angle(i / side), around = angle(i % side);
+        const double radius = 3 + std::cos(around);
+        text << "v " << radius * std::cos(about) << ' ' << radius * std::sin(about) << ' '
+             << std::sin(around) << '\n';
+    }
+    const auto corner = [&](int i, int k) { return 1 + (i % side) * side + k % side; };
+    for (int i = 0; i < side; ++i)
+        for (int k = 0; k < side; ++k)
+            text << "f " << corner(i, k) << ' ' << corner(i + 1, k) << ' ' << corner(i + 1, k + 1)
+                 << ' ' << corner(i, k + 1) << '\n';
     return text.str();
 }
 

@@ -93,9 +93,9 @@ TEST_F(Viewer, SavesThePictureThatTheToolDraws) {
     hand_.save(viewer::SavedKind::png);
     for (const char* button : {"save.style", "save.camera"}) hand_.click(button);
     EXPECT_EQ(error(), "");
-    draw_by_tool("--method spine --size 968x800 --style " + path("clevis.toml"), "tool.%d.png");
+    draw_by_tool("--method spine --size 968x760 --style " + path("clevis.toml"), "tool.%d.png");
     const Image saved = read_image(path("clevis.png")), tool = read_image(path("tool.0.png"));
-    EXPECT_EQ(saved.size, (glm::ivec2{968, 800}));
+    EXPECT_EQ(saved.size, (glm::ivec2{968, 760}));
     EXPECT_EQ(saved.pixels, tool.pixels);
     hand_.key(GLFW_KEY_E, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
     EXPECT_EQ(read_image(path("clevis-2.png")).pixels, tool.pixels) << "nothing is overwritten";
@@ -104,7 +104,7 @@ TEST_F(Viewer, SavesThePictureThatTheToolDraws) {
 TEST_F(Viewer, SavesThePathsThatTheToolFinds) {
     hand_.save(viewer::SavedKind::svg);
     hand_.click("save.camera");
-    draw_by_tool("--size 968x800", "tool.%d.svg");
+    draw_by_tool("--size 968x760", "tool.%d.svg");
     const auto without_description = [](std::string svg) {
         const std::size_t from = svg.find("<desc>"), to = svg.find("</desc>");
         EXPECT_LT(from, to);
@@ -166,12 +166,12 @@ TEST_F(Viewer, SplitsTheScreenAtASlider) {
     const Image shown = hand_.screenshot("split");
     const auto left = picture(0), right = picture(1);
     const auto same = [&](int x, const std::vector<std::uint8_t>& side) {
-        for (int y = 100; y < 700; ++y) {     // below the names of the sides
-            if (y > 380 && y < 420) continue; // the handle
+        for (int y = 60; y < 660; ++y) {      // below the names of the sides
+            if (y > 360 && y < 400) continue; // the handle
             const auto row = static_cast<std::size_t>(y);
             const auto column = static_cast<std::size_t>(x);
             for (std::size_t c = 0; c < 3; ++c) {
-                if (shown.pixels[(row * 1280 + column) * 3 + c] !=
+                if (shown.pixels[((row + 40) * 1280 + column) * 3 + c] !=
                     side[(row * 968 + column) * 4 + c])
                     return false;
             }
@@ -214,7 +214,7 @@ TEST_F(Viewer, SlowMovementsLeaveOutMoreUntilTheCameraRests) {
 TEST_F(Viewer, PicturesOfFewerPixelsFillTheSameWindow) {
     hand_.click("split");
     hand_.choose("second", "Exact");
-    hand_.move({484, 20}); // no tooltip shows
+    hand_.move({300, 300}); // no tooltip shows
     const Image whole = hand_.screenshot("split_whole");
     for (int i = 0; i < 3; ++i) session().note_duration(1);
     session().navigation.orbit({0, 0, 0}, {1e-4, 0});
@@ -305,7 +305,7 @@ TEST_F(Viewer, ThePictureFollowsTheWindow) {
     for (int i = 0; i < 200 && app_.window().points() != glm::ivec2{1000, 700}; ++i)
         app_.step(0.02);
     hand_.rest();
-    EXPECT_EQ(session().size(), (glm::ivec2{1000 - 312, 700}));
+    EXPECT_EQ(session().size(), (glm::ivec2{1000 - 312, 700 - 40}));
     EXPECT_EQ(session().picture(0)->size(), session().size());
 }
 

@@ -16,8 +16,10 @@ namespace {
 
 TEST_F(Viewer, TheMouseMovesTheCamera) {
     const glm::dvec2 size = session().size(), from{480, 420}, to{560, 380};
-    const glm::dvec3 held = session().point_at(from);
-    const auto seen = [&] { return *viewer::seen_at(session().navigation.view(), held, size); };
+    const glm::dvec3 held = session().point_at(from - hand_.in_window({0, 0}));
+    const auto seen = [&] {
+        return hand_.in_window(*viewer::seen_at(session().navigation.view(), held, size));
+    };
     hand_.drag(GLFW_MOUSE_BUTTON_LEFT, from, to);
     EXPECT_LT(glm::distance(seen(), from), 0.05) << "orbits about what is under the mouse";
     hand_.drag(GLFW_MOUSE_BUTTON_MIDDLE, from, to);
@@ -207,7 +209,7 @@ TEST_F(Viewer, ShowsItsKeys) {
     hand_.click("help.close");
     EXPECT_FALSE(app_.ui().panel == viewer::Panel::keys);
     hand_.key(GLFW_KEY_TAB);
-    EXPECT_EQ(session().size(), (glm::ivec2{1280, 800})) << "the picture has the whole window";
+    EXPECT_EQ(session().size(), (glm::ivec2{1280, 760})) << "the picture has the whole width";
 }
 
 /// The picture in docs/viewer.md.
@@ -222,13 +224,28 @@ TEST_F(Viewer, IsWhatTheDocsShow) {
     EXPECT_EQ(error(), "");
 }
 
+TEST_F(Viewer, NoModelLiesUnderTheToolBar) {
+    const auto rows = [&](std::size_t from, std::size_t to) {
+        const Image image = hand_.screenshot("tool_bar");
+        const auto row = static_cast<std::ptrdiff_t>(3 * 1280);
+        const auto begin = image.pixels.begin();
+        return std::vector<std::uint8_t>(begin + row * static_cast<std::ptrdiff_t>(from),
+                                         begin + row * static_cast<std::ptrdiff_t>(to));
+    };
+    hand_.move({480, 420});
+    const auto bar = rows(0, 40), picture = rows(40, 60);
+    hand_.scroll(10, {480, 420});
+    EXPECT_NE(rows(40, 60), picture) << "it reaches the border";
+    EXPECT_EQ(rows(0, 40), bar);
+}
+
 class ViewerOnAFineDisplay : public Viewer {
   protected:
     ViewerOnAFineDisplay() : Viewer(1.5F) {}
 };
 
 TEST_F(ViewerOnAFineDisplay, LettersAndPanelsAreLarger) {
-    EXPECT_EQ(session().size(), (glm::ivec2{1280 - 312 * 3 / 2, 800}));
+    EXPECT_EQ(session().size(), (glm::ivec2{1280 - 312 * 3 / 2, 800 - 40 * 3 / 2}));
     hand_.choose("method", "Item buffer");
     EXPECT_EQ(session().settings.sides[0].method, Method::item_buffer);
     hand_.screenshot("fine");

@@ -197,8 +197,7 @@ void Application::fit_scale() {
 }
 
 Area Application::canvas_area() const {
-    const glm::vec2 size{window_.points()};
-    return {{0, 0}, {std::max(size.x - sidebar_width(ui_), 0.0F), size.y}};
+    return viewer::canvas_area(ui_, window_.points());
 }
 
 void Application::make_frame() {
@@ -268,7 +267,7 @@ void Application::paint() const {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// Copies the pictures, whole or on either side of the slider, to the window's upper left corner.
+/// Copies the pictures, whole or on either side of the slider, to their place in the window.
 void Application::blit_pictures() const {
     const glm::ivec2 window = window_.pixels(), size = session_.size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -283,7 +282,9 @@ void Application::blit_pictures() const {
             ? static_cast<int>(std::lround(session_.settings.split_at * static_cast<float>(size.x)))
             : size.x;
     const Session::Placement place = session_.placement();
-    const glm::ivec2 canvas{0, window.y - size.y};
+    const auto above =
+        static_cast<int>(std::lround(canvas_area().low.y * pixels_per_point_)); // the tool bar
+    const glm::ivec2 canvas{0, window.y - size.y - above};
     const glm::ivec2 low = canvas + glm::ivec2{glm::round(place.low)};
     const glm::ivec2 high = canvas + glm::ivec2{glm::round(place.high)};
     const auto blit = [&](std::size_t side, int from, int to) {

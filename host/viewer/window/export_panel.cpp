@@ -82,7 +82,7 @@ void format_row(Ui& ui) {
         ImGui::BeginDisabled(options.sheet && format == FileFormat::json); // JSON has one view
         if (toggle(ui, ("export." + extension).c_str(), in_capitals(extension).c_str(),
                    options.format == format)) {
-            options.format = format;
+            options = as_format(format, options);
             take_extension(ui);
         }
         ImGui::EndDisabled();
@@ -123,6 +123,28 @@ void view_rows(Ui& ui) {
     tip(ui, "Overall sizes as dimensions, the model's axes beside each view, and a scale bar");
 }
 
+/// A scale that is typed, or chosen from the list behind the arrow.
+void scale_row(Ui& ui) {
+    constexpr const char *fits = "as large as fits", *help = "What a millimetre of the model is on "
+                                                             "paper: 1:2, 1:2.5, 2:1, or 0.4";
+    std::string &scale = ui.exporting.options.scale, &typed = ui.exporting.scale;
+    label(ui, "Scale");
+    const float gap = ui.points(4);
+    ImGui::SetNextItemWidth(-ImGui::GetFrameHeight() - gap);
+    if (ImGui::InputTextWithHint("##export.scale.text", fits, &typed,
+                                 ImGuiInputTextFlags_AutoSelectAll)) // a click, and it is replaced
+        scale = scale_of_text(typed);
+    if (!ImGui::IsItemActive()) typed = scale;
+    ui.spots.note("export.scale.text");
+    tip(ui, help);
+    ImGui::SameLine(0, gap);
+    list_of_choices(
+        ui, "export.scale", "", scales,
+        [](const std::string& item) { return item.empty() ? fits : item; },
+        [&](const char* item) { return item == scale; }, [&](const char* item) { scale = item; },
+        "Usual scales", ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft);
+}
+
 void paper_rows(Ui& ui) {
     ExportOptions& options = ui.exporting.options;
     choice(
@@ -130,14 +152,7 @@ void paper_rows(Ui& ui) {
         [](const char* page) { return name_of_page(page); },
         [&](const char* page) { return page == options.page; },
         [&](const char* page) { options.page = page; }, "The page; it lies as the drawing does");
-    const auto name_of_scale = [](const std::string& scale) {
-        return scale.empty() ? "as large as fits" : scale;
-    };
-    choice(
-        ui, "export.scale", "Scale", name_of_scale(options.scale), scales, name_of_scale,
-        [&](const char* scale) { return scale == options.scale; },
-        [&](const char* scale) { options.scale = scale; },
-        "What a millimetre of the model is on paper");
+    scale_row(ui);
     if (options.sheet) return; // a sheet has a frame
     slider(ui, "export.margin", "Margin", options.margin, 0.0F, 50.0F, "%.0f mm",
            "Space around the drawing");

@@ -6,8 +6,24 @@
 namespace lineatlas::viewer {
 namespace {
 
+/// Begins the bar above the picture. In a narrow window it is longer than the picture is wide.
+void begin_toolbar(const Ui& ui, Area canvas) {
+    const float height = canvas.low.y;
+    const float above = 0.5F * (height - ImGui::GetFrameHeight());
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSizeConstraints({canvas.size.x, height}, {FLT_MAX, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.points(measures::inset), above});
+    ImGui::Begin("toolbar", nullptr, overlay_flags);
+    ImGui::PopStyleVar();
+    const ImVec2 size = ImGui::GetWindowSize();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddLine({0, size.y - 0.5F}, {size.x, size.y - 0.5F}, theme::colors().line);
+    list.PopClipRect();
+}
+
 void toolbar(Ui& ui, Area canvas) {
-    begin_overlay(ui, "toolbar", canvas.low + ui.points(12), {0, 0}, {6, 6});
+    begin_toolbar(ui, canvas);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.points(4), 0});
     if (toggle(ui, "open.panel", "Open", ui.panel == Panel::open)) switch_panel(ui, Panel::open);
     tip(ui, "Files of a folder, and recent ones (Ctrl + O)");
@@ -38,18 +54,14 @@ void toolbar(Ui& ui, Area canvas) {
     ImGui::End();
 }
 
-/// Draws the name of a side at its end of the slider, or below the toolbar if there is no room
-/// beside it.
+/// Draws the name of a side beside the upper end of the slider.
 void side_name(Ui& ui, const Area& canvas, const Side& side, float x, float direction) {
     std::string text = label_of(side.method);
     if (side.method != Method::opengl) {
         text += fmt::format(", {} probe{}", side.probes, side.probes == 1 ? "" : "s");
     }
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float left = x + direction * ui.points(20) - (direction < 0 ? size.x : 0);
-    const bool beside = left > canvas.low.x + ui.points(570);
-    plate(ui, text, {x + direction * ui.points(12), canvas.low.y + ui.points(beside ? 17 : 62)},
-          {direction < 0 ? 1 : 0, 0});
+    const float inset = ui.points(measures::inset);
+    plate(ui, text, {x + direction * inset, canvas.low.y + inset}, {direction < 0 ? 1 : 0, 0});
 }
 
 void split_handle(Ui& ui, Area canvas) {
@@ -170,7 +182,7 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
 
 void draw_messages(Ui& ui, Area canvas) {
     const std::vector<Messages::Message> all = ui.session.messages.all();
-    float y = canvas.low.y + ui.points(ui.session.settings.split ? 98 : 64);
+    float y = canvas.low.y + ui.points(ui.session.settings.split ? 46 : measures::inset);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Messages::Message& message = all[i];
         const std::string name = fmt::format("message{}", i);

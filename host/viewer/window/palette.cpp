@@ -39,11 +39,11 @@ void begin_palette(const Ui& ui, Area canvas, std::size_t rows) {
     const float height =
         static_cast<float>(std::max<std::size_t>(rows, 1)) * ImGui::GetTextLineHeightWithSpacing() +
         ui.points(64);
-    const glm::vec2 room = canvas.size - ui.points(40) - glm::vec2{0, ui.points(40)};
+    const glm::vec2 room = canvas.size - ui.points(40);
     const glm::vec2 size =
         glm::min(room, glm::vec2{ui.points(440), std::min(height, ui.points(420))});
-    const glm::vec2 below_the_bar{0.5F * (canvas.size.x - size.x), ui.points(60)};
-    begin_floating(ui, "palette", canvas.low + below_the_bar, size, searched_flags);
+    const glm::vec2 upper_middle{0.5F * (canvas.size.x - size.x), ui.points(20)};
+    begin_floating(ui, "palette", canvas.low + upper_middle, size, searched_flags);
 }
 
 } // namespace

@@ -140,6 +140,12 @@ float sidebar_width(const Ui& ui) {
     return ui.sidebar ? ui.points(measures::sidebar) : 0;
 }
 
+Area canvas_area(const Ui& ui, glm::vec2 window) {
+    const glm::vec2 low{0, ui.points(measures::tool_bar)};
+    const glm::vec2 high{window.x - sidebar_width(ui), window.y};
+    return {low, glm::max(high - low, 0.0F)};
+}
+
 void save_as(Ui& ui, SavedKind kind) {
     Session& session = ui.session;
     if (session.model() == nullptr) return;

@@ -13,6 +13,7 @@ namespace measures {
 inline constexpr float letters = 15;       ///< also of headings, which are bold
 inline constexpr float gap = 8;            ///< between items
 inline constexpr float sidebar = 312;      ///< width of the sidebar
+inline constexpr float tool_bar = 40;      ///< height of the bar above the picture
 inline constexpr float label_column = 96;  ///< where the value beside a label begins
 inline constexpr float number_room = 64;   ///< right of a slider
 inline constexpr float tip = 320;          ///< width of a tip

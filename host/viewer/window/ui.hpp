@@ -81,7 +81,8 @@ struct OpenState {
 /// The state of the panel of exports. It is kept when the panel closes.
 struct ExportState {
     ExportOptions options{};
-    std::string name{}; ///< of the file
+    std::string scale{}; ///< as it is typed
+    std::string name{};  ///< of the file
 };
 
 /// What the panels need besides the session.
@@ -124,6 +125,8 @@ enum class SavedKind { session, png, svg, style, camera, trace };
 void save_as(Ui& ui, SavedKind kind);
 
 float sidebar_width(const Ui& ui);
+/// The place of the picture, which neither the tool bar nor the sidebar covers.
+Area canvas_area(const Ui& ui, glm::vec2 window);
 
 // Parts of the window; each is a file.
 void draw_sidebar(Ui& ui, Area area);

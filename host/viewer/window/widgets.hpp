@@ -289,12 +289,11 @@ inline std::optional<ImVec2> place_of(const Session& session, Area canvas, glm::
 /// is the current one, and `choose(item)` is called with a chosen item. Items are noted as
 /// "id/name".
 template <class Items, class Name, class Chosen, class Choose>
-void choice(Ui& ui, const char* id, const char* text, const std::string& preview,
-            const Items& items, const Name& name_of_item, const Chosen& is_chosen,
-            const Choose& choose, const char* help) {
-    label(ui, text);
+void list_of_choices(Ui& ui, const char* id, const std::string& preview, const Items& items,
+                     const Name& name_of_item, const Chosen& is_chosen, const Choose& choose,
+                     const char* help, ImGuiComboFlags flags = 0) {
     const bool open = ImGui::BeginCombo((std::string{"##"} + id).c_str(), preview.c_str(),
-                                        ImGuiComboFlags_HeightLargest);
+                                        flags | ImGuiComboFlags_HeightLargest);
     if (!open) {
         ui.spots.note(id);
         return tip(ui, help);
@@ -305,6 +304,15 @@ void choice(Ui& ui, const char* id, const char* text, const std::string& preview
         ui.spots.note(std::string{id} + "/" + name);
     }
     ImGui::EndCombo();
+}
+
+/// The same as a row with a label.
+template <class Items, class Name, class Chosen, class Choose>
+void choice(Ui& ui, const char* id, const char* text, const std::string& preview,
+            const Items& items, const Name& name_of_item, const Chosen& is_chosen,
+            const Choose& choose, const char* help) {
+    label(ui, text);
+    list_of_choices(ui, id, preview, items, name_of_item, is_chosen, choose, help);
 }
 
 } // namespace lineatlas::viewer
