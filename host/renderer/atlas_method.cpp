@@ -145,8 +145,8 @@ void AtlasMethod::project(Frame& frame) {
         .tolerance = frame.depth_tolerance(),
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
-        std::optional<compute::BatchTable> batches;
-        if (batches_.has_segments(frame.scene.candidate_table())) batches.emplace(batches_.table());
+        compute::BatchTable batches;
+        if (batches_.has_segments(frame.scene.candidate_table())) batches = batches_.table();
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
             .front = chains_.front(),
@@ -158,9 +158,9 @@ void AtlasMethod::project(Frame& frame) {
             .occlusion = cull_hidden_ ? &occlusion : nullptr,
             .out = clipped_table(),
             .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr,
-            .batches = batches ? &*batches : nullptr,
+            .batches = batches,
             .centre_overhang = frame.options.style.centre_overhang};
-        if (batches) {
+        if (batches.count > 0) {
             const bool drops_hidden = cull_hidden_ && frame.knows_surfaces() && !keeps_intervals_ &&
                                       !strokes_.measures_lines(frame);
             stages_.project_clip_batches(args, drops_hidden);

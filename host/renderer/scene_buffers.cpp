@@ -287,13 +287,13 @@ std::vector<glm::uvec3> SceneBuffers::smooth_corners(const compute::ContourTable
     return ordered;
 }
 
-std::optional<compute::SmoothTriangles> SceneBuffers::smooth_triangles() {
+compute::SmoothTriangles SceneBuffers::smooth_triangles() {
     const std::optional<compute::ContourTables> contours = contours_now();
     if (!contours) return {};
     if (!tables_.smooth_corners)
         tables_.smooth_corners =
             upload(device(), bytes_of(smooth_corners(*contours)), compute::table::smooth_corners);
-    return compute::SmoothTriangles{*tables_.smooth_corners, *contours->corners};
+    return {tables_.smooth_corners.get(), contours->corners};
 }
 
 std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {

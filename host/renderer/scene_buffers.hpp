@@ -109,7 +109,7 @@ class SceneBuffers {
     /// The colours for kernels (FillArgs::colors); null for a model without colours.
     compute::Buffer* colors();
     /// Triangles that contours may run through, for fills in the light; none without contours.
-    std::optional<compute::SmoothTriangles> smooth_triangles();
+    compute::SmoothTriangles smooth_triangles();
     /// The same for GL.
     std::optional<gl::SmoothTriangles> gl_smooth_triangles();
     gl::SegmentBuffers gl_segments();

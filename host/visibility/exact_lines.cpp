@@ -56,10 +56,10 @@ void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
                               const compute::SegmentTable& table) {
     const glm::mat4 clip_from_world = view.camera.clip_from_world();
-    std::optional<compute::BatchTable> batches;
+    compute::BatchTable batches;
     if (batches_.has_segments(candidates)) {
-        batches.emplace(batches_.table());
-        visibility_.find_batches(clipped(), *batches, !view.measured);
+        batches = batches_.table();
+        visibility_.find_batches(batches, !view.measured);
     }
     stages_.project_clip({.table = table,
                           .front = chains_.front(),
@@ -70,7 +70,7 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
                           .kind_mask = view.lines,
                           .occlusion = nullptr,
                           .out = {*clipped_, visibility_.counts(), *arcs_},
-                          .batches = batches ? &*batches : nullptr,
+                          .batches = batches,
                           .centre_overhang = view.centre_overhang});
 }
 

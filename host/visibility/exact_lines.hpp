@@ -66,14 +66,14 @@ class ExactLines {
                 candidates, wanted, compute::silhouette_view(view.camera, view.bounds), clock);
             make_room(segments.segment_count);
             begin(view, segments, chunk);
-            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
+            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(); });
             clock("project_clip", [&] { project_clip(view, candidates, segments); });
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
             // Later chunks use the lists of tiles of the first one.
             bool by_lists = chunk > 0, again = true;
             while (again) {
-                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
+                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(); });
                 clock("visible", [&] {
                     visibility_.visible(clipped());
                     again = visibility_.grow(clipped());

@@ -50,11 +50,11 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                          .occlusion = nullptr,
                          .out = {*clipped, exact.counts(), *arcs}});
     stages.scan(*arcs, n, compute::ScanKind::wrap);
-    exact.surfaces(no_samples);
+    exact.surfaces();
     ExactResult result;
     do {
         ++result.looks;
-        exact.tile_lists(no_samples);
+        exact.tile_lists();
         exact.visible(no_samples);
     } while (exact.grow(no_samples));
 

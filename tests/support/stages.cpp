@@ -87,8 +87,8 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
     const glm::mat4 clip_from_world = camera.clip_from_world();
     stages_.facing({.table = table(), .eye = camera.eye(), .front = *front_});
     state.front = read_back<std::uint8_t>(*device_, *front_, triangle_count_);
-    std::optional<compute::BatchTable> batches;
-    if (batches_.has_segments(table())) batches.emplace(batches_.table());
+    compute::BatchTable batches;
+    if (batches_.has_segments(table())) batches = batches_.table();
     const compute::ProjectClipArgs args{.table = table(),
                                         .front = *front_,
                                         .clip_from_world = clip_from_world,
@@ -99,9 +99,9 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
                                         .kind_mask = all_line_kinds,
                                         .occlusion = cull_hidden ? &occlusion : nullptr,
                                         .out = {*clipped_, *offsets_, *arcs_},
-                                        .batches = batches ? &*batches : nullptr};
+                                        .batches = batches};
     constexpr bool drops_hidden = false; // tests look at the lengths of hidden segments
-    if (batches) stages_.project_clip_batches(args, drops_hidden);
+    if (batches.count > 0) stages_.project_clip_batches(args, drops_hidden);
     stages_.project_clip(args);
     state.counts = read_back<std::uint32_t>(*device_, *offsets_, n_);
     state.lengths = read_back<std::uint32_t>(*device_, *arcs_, n_);

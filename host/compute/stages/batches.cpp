@@ -32,8 +32,8 @@ bool Batches::has_segments(const SegmentTable& table) {
                             .version = table.version,
                             .count = table.segment_count - table.candidates.count});
     if (step == Step::make) {
-        stages_.launch<kernels::project_clip_boxes>(this->table().batches(), {count_}, table,
-                                                    BatchBoxes{*boxes_});
+        const BatchTable made = this->table();
+        stages_.launch<kernels::project_clip_boxes>(made.batch_count(), {count_}, table, made);
     }
     return step != Step::wait;
 }
@@ -44,8 +44,8 @@ bool Batches::has_triangles(const SegmentTable& table) {
                             .version = table.version,
                             .count = table.triangle_count});
     if (step == Step::make) {
-        stages_.launch<kernels::surfaces_boxes>(this->table().batches(), {count_}, table,
-                                                BatchBoxes{*boxes_});
+        const BatchTable made = this->table();
+        stages_.launch<kernels::surfaces_boxes>(made.batch_count(), {count_}, table, made);
     }
     return step != Step::wait;
 }

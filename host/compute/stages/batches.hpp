@@ -23,7 +23,7 @@ class Batches {
     bool has_segments(const SegmentTable& table);
     bool has_triangles(const SegmentTable& table);
     /// The last batches that were made.
-    BatchTable table() const { return {*boxes_, *states_, count_}; }
+    BatchTable table() const { return {boxes_.get(), states_.get(), count_}; }
 
   private:
     /// What boxes were made from.

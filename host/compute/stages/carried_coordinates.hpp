@@ -9,8 +9,7 @@ namespace lineatlas::compute {
 class CarriedCoordinates {
   public:
     /// `stages` must outlive it.
-    explicit CarriedCoordinates(Stages& stages)
-        : stages_(stages), device_(stages.device()), tables_(device_, table::carry) {}
+    explicit CarriedCoordinates(Stages& stages) : stages_(stages), tables_{&stages.device()} {}
 
     /// Gives up its tables and its memory of the frame before.
     void release();
@@ -24,29 +23,11 @@ class CarriedCoordinates {
     void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
 
   private:
-    enum class Table {
-        // Per candidate:
-        memory,
-        // Per silhouette:
-        lengths,
-        found,
-        kept,
-        breaks,
-        means,
-        pieces,
-        recalled,
-        list,
-        shifts,
-        carried,
-        count
-    };
-
     Stages& stages_;
-    Device& device_; ///< of stages_
     std::uint32_t frame_ = 2;
     std::uint32_t first_ = 0, count_ = 0; ///< silhouettes of the last frame
     Buffer* arcs_ = nullptr;              ///< of that frame
-    GrowingTables<Table> tables_;
+    CarryTables tables_;
 };
 
 } // namespace lineatlas::compute

@@ -16,14 +16,12 @@ constexpr std::uint32_t most_items_in_turns = 1U << 14U;
 struct Lists {
     Buffer &ends, &memory;
 };
-struct Cuts {
-    Buffer& cuts;
-};
+
 struct RunOffsets {
     Buffer& run_offsets;
 };
 struct OutlineTables {
-    Buffer &part_offsets, &parts, &origins;
+    Buffer *part_offsets = nullptr, *parts = nullptr;
 };
 
 } // namespace
@@ -85,14 +83,11 @@ void Stages::filter(const FilterArgs& args) {
                                       .run_capacity = n,
                                       .filtered_capacity = args.filtered_capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any table, which is not read
     launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
-                                          Counts{counts});
+                                          args.atlas.clipped, args.atlas, args, Counts{counts});
     scan(counts, n, ScanKind::saturate);
     launch_grouped<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
-                                          RunOffsets{counts});
+                                          args.atlas.clipped, args.atlas, args, RunOffsets{counts});
     launch_each<kernels::filter_show>(args.filtered_capacity, args, args.atlas);
     launch_each<kernels::filter_show_ends>(n, args.table, args.atlas, args);
 }
@@ -119,21 +114,19 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
 
 void Stages::pens(const PensArgs& args) {
     const std::uint32_t n = args.run_capacity;
-    const bool tells = args.outline != nullptr;
-    const bool ordered = args.table.origins != nullptr;
-    // Any tables stand for those that are not read.
-    const OutlineTables outlines{tells ? args.outline->part_offsets : args.record,
-                                 tells ? args.outline->parts : args.record,
-                                 ordered ? *args.table.origins : args.segment_pens};
-    const PensParameters parameters{.outlines = tells ? 1U : 0U,
-                                    .first = ordered ? args.table.candidates.first
-                                                     : args.table.segment_count,
+    OutlineTables outlines;
+    if (args.outline != nullptr) outlines = {&args.outline->part_offsets, &args.outline->parts};
+    const PensParameters parameters{.outlines = args.outline != nullptr ? 1U : 0U,
+                                    .first = args.table.origins != nullptr
+                                                 ? args.table.candidates.first
+                                                 : args.table.segment_count,
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn_capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    launch<kernels::pens_count>(n, parameters, args, outlines, Counts{counts});
+    launch<kernels::pens_count>(n, parameters, args, args.table, outlines, Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::pens_write>(std::max(n, 1U), parameters, args, outlines, RunOffsets{counts});
+    launch<kernels::pens_write>(std::max(n, 1U), parameters, args, args.table, outlines,
+                                RunOffsets{counts});
 }
 
 void Stages::density(const DensityArgs& args) {

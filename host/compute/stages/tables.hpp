@@ -58,11 +58,11 @@ struct SegmentTable {
 
 /// The first segments, or triangles, of a table in batches; see kernels/shared/batches.h.
 struct BatchTable {
-    Buffer& boxes;       ///< `Batch` each
-    Buffer& states;      ///< a byte each: LA_BATCH_*, of the current frame
-    std::uint32_t count; ///< segments, or triangles
+    Buffer* batches = nullptr; ///< `Batch` each
+    Buffer* states = nullptr;  ///< a byte each: LA_BATCH_*, of the current frame
+    std::uint32_t count = 0;   ///< segments, or triangles
 
-    std::uint32_t batches() const { return (count + LA_BATCH - 1) / LA_BATCH; }
+    std::uint32_t batch_count() const { return (count + LA_BATCH - 1) / LA_BATCH; }
 };
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.

@@ -10,36 +10,28 @@ void Stages::atlas(const AtlasArgs& args) {
     constexpr std::uint32_t variants = 4; // of probes per axis, whole and then tiled
     const DepthTile tile = args.tile != nullptr ? *args.tile : DepthTile{};
     const std::uint32_t variant = args.probes - 1 + (args.tile != nullptr ? variants : 0);
-    launch_grouped<kernels::atlas>(
-        divide_up(args.atlas.capacity, tuning_.atlas_block), tuning_.block_local_size,
-        {.count = args.segment_count,
-         .depth_size = args.depth.size,
-         .viewport = args.viewport,
-         .depth_scale = args.depth.scale,
-         .tolerance = args.depth.tolerance,
-         .surfaces = args.depth.surface_parameters(),
-         .capacity = args.atlas.capacity,
-         .block = tuning_.atlas_block,
-         .origin = tile.origin,
-         .core = {tile.core_low, tile.core_high}},
-        kernels::atlas::tables_of(args.atlas.clipped, args.atlas, args.depth.tables()),
-        kernel_of<kernels::atlas>(variant));
+    launch_variant<kernels::atlas>(variant, divide_up(args.atlas.capacity, tuning_.atlas_block),
+                                   tuning_.block_local_size,
+                                   {.count = args.segment_count,
+                                    .depth_size = args.depth.size,
+                                    .viewport = args.viewport,
+                                    .depth_scale = args.depth.scale,
+                                    .tolerance = args.depth.tolerance,
+                                    .surfaces = args.depth.surface_parameters(),
+                                    .capacity = args.atlas.capacity,
+                                    .block = tuning_.atlas_block,
+                                    .origin = tile.origin,
+                                    .core = {tile.core_low, tile.core_high}},
+                                   args.atlas.clipped, args.atlas, args.depth.tables());
 }
 
 namespace {
 
 /// The tables of the frame before.
 struct BeforeTables {
-    Buffer &offsets_before, &before, &origins, &positions_before;
+    Buffer &offsets_before, &before;
+    Buffer *origins = nullptr, *positions_before = nullptr; ///< of chains, if there are any
 };
-BeforeTables before_of(const TemporalArgs& args) {
-    const ChainOrder* chains = args.chains;
-    Buffer& any = args.atlas.clipped.offsets; // if there are no chains
-    return {.offsets_before = args.history.offsets,
-            .before = args.history.alpha,
-            .origins = chains != nullptr ? chains->origins : any,
-            .positions_before = chains != nullptr ? chains->positions_before : any};
-}
 
 } // namespace
 
@@ -47,14 +39,18 @@ void Stages::temporal(const TemporalArgs& args) {
     const std::uint32_t n = args.segment_count;
     const SegmentAtlas& atlas = args.atlas;
     const ChainOrder* chains = args.chains;
+    BeforeTables before{args.history.offsets, args.history.alpha};
+    if (chains != nullptr) {
+        before.origins = &chains->origins;
+        before.positions_before = &chains->positions_before;
+    }
     launch_grouped<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
                                       {.count = n,
                                        .capacity = atlas.capacity,
                                        .block = tuning_.segment_block,
                                        .history = args.use,
                                        .first = chains != nullptr ? chains->first : n},
-                                      args.atlas.clipped, args.atlas, args.history,
-                                      before_of(args));
+                                      args.atlas.clipped, args.atlas, args.history, before);
     if (chains != nullptr) {
         device_.copy(chains->positions, chains->positions_before,
                      std::size_t{chains->candidates} * sizeof(la_uint));
