@@ -66,17 +66,13 @@ struct Found {
                           .viewport = glm::vec2{size},
                           .half_width = 1,
                           .hidden = false,
-                          .runs = *runs,
-                          .run_capacity = 2 * count,
-                          .record = *record});
+                          .runs = {*runs, *record, 2 * count}});
         stages.span_intervals({.table = table(),
                                .clipped = clipped(),
                                .spans = visibility.spans(),
                                .viewport = glm::vec2{size},
                                .hidden_too = false,
-                               .intervals = *intervals,
-                               .interval_capacity = 2 * count,
-                               .interval_total = *total});
+                               .into = {*intervals, 2 * count, *total}});
     }
 
     Terrain terrain;

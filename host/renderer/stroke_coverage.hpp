@@ -35,8 +35,7 @@ class StrokeCoverage {
 
     /// Finds where runs lie in the picture. Waits for the device. `half_width`: that of their
     /// widest pen.
-    void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
-              float half_width);
+    void list(const Frame& frame, bool hidden, const compute::RunTable& runs, float half_width);
     /// Enlarges tables that were too small for list(). Returns true if the runs must be listed
     /// again.
     bool grow();

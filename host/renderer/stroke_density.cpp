@@ -38,13 +38,10 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
         const Style& style = frame.options.style;
         Density limit = style.density;
         if (hidden) limit.limit = style.hidden_density;
-        RunTable& table = made(hidden);
         Thinning& own = thinning(hidden);
         stages_.density({.table = frame.scene.table(),
                          .atlas = input,
-                         .runs = table.runs.compute(),
-                         .record = table.record.compute(),
-                         .run_capacity = table.capacity,
+                         .runs = made(hidden).compute(),
                          .viewport = frame.viewport(),
                          .density = limit,
                          .focus = focus_on_screen(frame),

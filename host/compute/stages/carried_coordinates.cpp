@@ -1,6 +1,13 @@
 #include "carried_coordinates.hpp"
 
 namespace lineatlas::compute {
+namespace {
+
+struct Arcs {
+    Buffer& arcs;
+};
+
+} // namespace
 
 void CarriedCoordinates::release() {
     tables_ = {tables_.device};
@@ -24,12 +31,12 @@ void CarriedCoordinates::find(const SegmentTable& table, std::uint32_t first,
                    .tables = tables_});
 }
 
-void CarriedCoordinates::apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity) {
+void CarriedCoordinates::apply(const RunTable& runs) {
     if (count_ == 0) return;
     stages_.launch<kernels::carry_runs>(
-        run_capacity,
-        {.count = run_capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0},
-        {.arcs = *arcs_, .carried = *tables_.carried, .record = record, .runs = runs});
+        runs.capacity,
+        {.count = runs.capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0}, tables_,
+        runs, Arcs{*arcs_});
 }
 
 } // namespace lineatlas::compute

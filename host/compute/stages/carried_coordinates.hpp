@@ -20,7 +20,7 @@ class CarriedCoordinates {
     void find(const SegmentTable& table, std::uint32_t first, const ClippedTable& clipped,
               glm::vec2 viewport, float limit);
     /// Writes the coordinates into runs of that frame.
-    void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
+    void apply(const RunTable& runs);
 
   private:
     Stages& stages_;

@@ -46,9 +46,7 @@ struct SpanRunsArgs {
     glm::vec2 viewport; ///< pixels
     float half_width;   ///< as in CompactArgs
     bool hidden;        ///< runs of hidden parts instead
-    Buffer& runs;       ///< out: `Run` each
-    std::uint32_t run_capacity;
-    Buffer& record; ///< out: one `FrameRecord`
+    RunTable runs;      ///< out
 };
 
 /// Intervals of spans, as IntervalsArgs of samples.
@@ -58,9 +56,7 @@ struct SpanIntervalsArgs {
     SpanTable spans;
     glm::vec2 viewport; ///< pixels
     bool hidden_too;    ///< hidden pieces too
-    Buffer& intervals;  ///< out: `Interval` each; none if there are more than it has room for
-    std::uint32_t interval_capacity;
-    Buffer& interval_total; ///< out: one uint32, how many there are
+    IntervalRoom into;  ///< out
 };
 
 } // namespace lineatlas::compute

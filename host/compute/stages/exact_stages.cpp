@@ -221,11 +221,11 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .block = tuning_.segment_block,
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
-                                     .capacity = args.run_capacity};
+                                     .capacity = args.runs.capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_runs>(
         std::max(parameters.blocks, 1U), // the first work-item writes the record
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.runs,
         BlockOffsets{counts});
 }
 
@@ -239,11 +239,11 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .block = tuning_.segment_block,
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
-                                     .capacity = args.interval_capacity};
+                                     .capacity = args.into.capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_intervals>(
         std::max(parameters.blocks, 1U), // the first work-item writes the total
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.into,
         BlockOffsets{counts});
 }
 

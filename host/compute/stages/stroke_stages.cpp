@@ -35,10 +35,10 @@ void Stages::list_strokes(const StrokeListArgs& args) {
     const std::size_t ends = stroke_ends(tuning_, args.viewport);
     device_.clear(args.lists.ends, ends * sizeof(la_uint));
     launch_grouped<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters,
-                                           args, Counts{args.lists.ends});
+                                           args.runs, Counts{args.lists.ends});
     scan(args.lists.ends, static_cast<std::uint32_t>(ends - 1), ScanKind::saturate);
     launch_grouped<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters,
-                                          args, args.lists);
+                                          args.runs, args.lists);
 }
 
 void Stages::draw_strokes(const StrokeArgs& args) {

@@ -79,6 +79,20 @@ struct SegmentAtlas {
     std::uint32_t capacity; ///< samples that `alpha` has room for
 };
 
+/// Runs, and how many there are.
+struct RunTable {
+    Buffer& runs;           ///< `Run` each
+    Buffer& record;         ///< one `FrameRecord`: points[0] runs
+    std::uint32_t capacity; ///< runs that there is room for
+};
+
+/// Where intervals are written.
+struct IntervalRoom {
+    Buffer& intervals;      ///< `Interval` each; none if there are more than it has room for
+    std::uint32_t capacity; ///< of `intervals`
+    Buffer& interval_total; ///< one uint32, how many there are
+};
+
 /// The surfaces in a depth buffer, for probes that know surfaces.
 struct SurfaceTables {
     Buffer& numbers; ///< a uint32 per texel: of a triangle in the order of its clusters, or

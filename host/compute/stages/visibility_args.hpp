@@ -92,9 +92,7 @@ struct IntervalsArgs {
     DepthBuffer depth;
     /// Hidden pieces too; then ClippedTable::clipped must be there for hidden segments.
     bool hidden_too;
-    Buffer& intervals; ///< out: `Interval` each; none if there are more than it has room for
-    std::uint32_t interval_capacity;
-    Buffer& interval_total; ///< out: one uint32, how many there are
+    IntervalRoom into; ///< out
 };
 
 } // namespace lineatlas::compute

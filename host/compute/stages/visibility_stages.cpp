@@ -70,7 +70,7 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .wanted = args.hidden_too ? 3U : 1U,
                                          .block = tuning_.segment_block,
                                          .blocks = blocks,
-                                         .interval_capacity = args.interval_capacity,
+                                         .interval_capacity = args.into.capacity,
                                          .depth_size = args.depth.size,
                                          .depth_scale = args.depth.scale,
                                          .tolerance = args.depth.tolerance,
@@ -82,10 +82,10 @@ void Stages::intervals(const IntervalsArgs& args) {
                                              Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
     launch_grouped<kernels::intervals_write>(items, tuning_.block_local_size, parameters,
-                                             args.table, args.atlas.clipped, args.atlas, args,
+                                             args.table, args.atlas.clipped, args.atlas, args.into,
                                              BlockOffsets{counts});
-    launch<kernels::intervals_refine>(args.interval_capacity, parameters, args.table,
-                                      args.atlas.clipped, args.depth.tables(), args);
+    launch<kernels::intervals_refine>(args.into.capacity, parameters, args.table,
+                                      args.atlas.clipped, args.depth.tables(), args.into);
 }
 
 } // namespace lineatlas::compute
