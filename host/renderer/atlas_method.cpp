@@ -313,16 +313,14 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         draw_fill(frame);
         strokes_.draw(frame, alpha_);
     }
-    return stats(frame);
+    return stats();
 }
 
-FrameStats AtlasMethod::stats(Frame& frame) {
-    return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = depth_.triangles_drawn(),
-            .segments = frame.scene.segment_count(),
+FrameStats AtlasMethod::stats() {
+    return {.triangles_drawn = depth_.triangles_drawn(),
             .samples = strokes_.samples_of_frame(),
             .runs = strokes_.runs_of_frame(),
-            .stages = frame.clock.take()};
+            .stages = {}};
 }
 
 Renderer::Samples AtlasMethod::read_samples() {

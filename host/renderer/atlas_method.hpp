@@ -82,7 +82,7 @@ class AtlasMethod {
     bool grow();
     bool grow_atlas(std::uint64_t needed);
     void draw_fill(Frame& frame);
-    FrameStats stats(Frame& frame);
+    FrameStats stats();
 
     std::uint64_t rows(std::uint32_t samples) const {
         return (std::uint64_t{samples} + row_ - 1) / row_;

@@ -1,7 +1,5 @@
 #include "lineatlas/renderer.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -211,7 +209,7 @@ class Renderer::State {
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         has_exact_intervals_ = options.method == Method::exact;
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
-        std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
+        stats.stages = frame.clock.take();
         if (profiled) profiled->finish(stats);
         return stats;
     }
@@ -250,6 +248,7 @@ class Renderer::State {
             return by_cuts ? exact().draw_tiles(frame, target) : atlas_->draw_tiles(frame, target);
         });
         has_exact_intervals_ = by_cuts;
+        stats.stages = frame.clock.take();
         if (profiled) profiled->finish(stats);
         samples_drawn_ = !by_cuts;
         return stats;
@@ -346,6 +345,8 @@ class Renderer::State {
         gl::require_alive();
         broken_ = false;
         has_frame_ = true;
+        stats.triangles = scene_->triangle_count();
+        stats.segments = scene_->segment_count();
         count_memory(stats);
         return stats;
     }

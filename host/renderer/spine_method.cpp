@@ -36,10 +36,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .tile_count = compute::tiles_for(depth_.size())},
                          depth_.probed_by_gl(frame), frame.stroke_params(frame.options.style.pen));
     });
-    return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = depth_.triangles_drawn(),
-            .segments = frame.scene.segment_count(),
-            .stages = frame.clock.take()};
+    return {.triangles_drawn = depth_.triangles_drawn(), .stages = {}};
 }
 
 } // namespace lineatlas
