@@ -262,17 +262,6 @@ bool AtlasMethod::grow() {
     return strokes_.grow() || intervals_grown || atlas_grown;
 }
 
-void AtlasMethod::draw_fill(Frame& frame) {
-    if (FillStage::draws(frame, depth_)) {
-        fill_.color(frame, depth_);
-        fill_.lay(frame);
-    } else if (frame.options.method == Method::atlas) {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    } else {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill);
-    }
-}
-
 void AtlasMethod::find(Frame& frame) {
     do {
         sample(frame);
@@ -310,7 +299,10 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         find(frame);
     }
     if (frame.options.draw) {
-        draw_fill(frame);
+        if (frame.options.method == Method::item_buffer)
+            frame.backdrop.draw_fill(frame, frame.options.style.fill);
+        else
+            fill_.draw(frame, depth_);
         strokes_.draw(frame, alpha_);
     }
     return stats();

@@ -81,7 +81,6 @@ class AtlasMethod {
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
-    void draw_fill(Frame& frame);
     FrameStats stats();
 
     std::uint64_t rows(std::uint32_t samples) const {

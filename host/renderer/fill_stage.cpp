@@ -56,6 +56,13 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
     });
 }
 
+void FillStage::draw(Frame& frame, DepthStage& depth) {
+    if (!draws(frame, depth))
+        return frame.backdrop.draw_fill(frame, frame.options.style.fill, depth.drawn());
+    color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
+    lay(frame);
+}
+
 void FillStage::lay(Frame& frame, glm::ivec2 at) {
     if (!layer_) layer_.emplace();
     frame.clock.gl("fill", [&] {

@@ -1,7 +1,5 @@
 #include "spine_method.hpp"
 
-#include "backdrop.hpp"
-
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
@@ -17,13 +15,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
     } else {
         depth_.draw_texture(frame);
     }
-    const bool fills_by_kernels = FillStage::draws(frame, depth_);
-    if (fills_by_kernels) {
-        fill_.color(frame, depth_);
-        fill_.lay(frame);
-    } else {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    }
+    fill_.draw(frame, depth_);
     frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,
