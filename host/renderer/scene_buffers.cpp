@@ -53,7 +53,7 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, c
     cluster_objects_ = std::move(made.objects);
     triangle_order_ = std::move(made.order);
     upload_colors(lines);
-    tables_.clusters = upload(device(), bytes_of(clusters_), compute::table::clusters);
+    tables_.clusters = compute::upload(device(), clusters_, compute::table::clusters);
     if (parts != nullptr) follow(*parts);
 }
 
@@ -93,9 +93,9 @@ compute::MeshletTables SceneBuffers::meshlets() {
         Meshlets built = build_meshlets(ordered_triangles(), clusters_, motion_.vertex_count());
         if (followed_) built = spread_out(built, 0);
         auto vertex_list =
-            upload(device(), bytes_of(built.vertices), compute::table::meshlet_vertices);
-        auto corners = upload(device(), bytes_of(built.corners), compute::table::meshlet_corners);
-        tables_.meshlets = upload(device(), bytes_of(built.meshlets), compute::table::meshlets);
+            compute::upload(device(), built.vertices, compute::table::meshlet_vertices);
+        auto corners = compute::upload(device(), built.corners, compute::table::meshlet_corners);
+        tables_.meshlets = compute::upload(device(), built.meshlets, compute::table::meshlets);
         tables_.vertex_list = std::move(vertex_list);
         tables_.corners = std::move(corners);
     }
@@ -113,8 +113,8 @@ SceneBuffers::Surfaces SceneBuffers::surfaces() {
             numbers[triangle_order_[i]] = i;
             patches[i] = of_triangles[triangle_order_[i]];
         }
-        auto uploaded = upload(device(), bytes_of(numbers), compute::table::triangle_numbers);
-        tables_.patches = upload(device(), bytes_of(patches), compute::table::triangle_patches);
+        auto uploaded = compute::upload(device(), numbers, compute::table::triangle_numbers);
+        tables_.patches = compute::upload(device(), patches, compute::table::triangle_patches);
         tables_.numbers = std::move(uploaded);
     }
     return {*tables_.numbers, *tables_.patches};
@@ -147,7 +147,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
     if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
         tables_.cluster_triangles =
-            upload(device(), bytes_of(ordered_triangles()), compute::table::cluster_triangles);
+            compute::upload(device(), ordered_triangles(), compute::table::cluster_triangles);
     }
     const auto count = static_cast<std::uint32_t>(clusters_.size());
     stages_->launch_each<compute::kernels::transform_bounds>(
@@ -268,7 +268,7 @@ compute::Buffer* SceneBuffers::colors() {
         look_up(std::uint8_t{});
     else
         look_up(std::uint16_t{});
-    tables_.colors = upload(device(), bytes_of(colors), compute::table::colors);
+    tables_.colors = compute::upload(device(), colors, compute::table::colors);
     return tables_.colors.get();
 }
 
@@ -292,7 +292,7 @@ compute::SmoothTriangles SceneBuffers::smooth_triangles() {
     if (!contours) return {};
     if (!tables_.smooth_corners)
         tables_.smooth_corners =
-            upload(device(), bytes_of(smooth_corners(*contours)), compute::table::smooth_corners);
+            compute::upload(device(), smooth_corners(*contours), compute::table::smooth_corners);
     return {tables_.smooth_corners.get(), contours->corners};
 }
 
@@ -313,9 +313,8 @@ std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {
 
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
     const auto copy = [&](compute::Buffer& buffer, const compute::TableName& name) {
-        return upload(stages.device(),
-                      bytes_of(compute::read_back<std::byte>(device(), buffer, buffer.size())),
-                      name);
+        return compute::upload(
+            stages.device(), compute::read_back<std::byte>(device(), buffer, buffer.size()), name);
     };
     normals_.find(*stages_, tables_);
     const LineSet contours = download_contours(device(), tables_, triangle_count_);

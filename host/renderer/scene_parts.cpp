@@ -68,9 +68,8 @@ void SceneBuffers::follow(const AssemblyState& parts) {
         std::ranges::copy(own.ends, ends.begin() + 2 * rooms.candidates.first);
     }
     LineTables::Chunk& chunk = tables_.chunks.front();
-    chunk.end_offsets =
-        upload(device(), std::as_bytes(std::span{offsets}), compute::table::end_offsets);
-    chunk.ends = upload(device(), std::as_bytes(std::span{ends}), compute::table::ends);
+    chunk.end_offsets = compute::upload(device(), offsets, compute::table::end_offsets);
+    chunk.ends = compute::upload(device(), ends, compute::table::ends);
     start_moving(make_moving(*stages_, *sharing_)); // GL too reads a part's places from the device
 }
 
