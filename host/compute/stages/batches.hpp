@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -37,6 +35,8 @@ class Batches {
     /// What to do about boxes if `of` stands still.
     enum class Step { wait, make, keep };
     Step next(const Of& of);
+    template <class Boxes>
+    bool has(const SegmentTable& table, const Buffer& elements, std::uint32_t count);
 
     Stages& stages_;
     Device& device_; ///< of stages_
