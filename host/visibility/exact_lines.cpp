@@ -1,10 +1,6 @@
 #include "exact_lines.hpp"
 
-#include <optional>
-
 #include <glm/gtc/matrix_inverse.hpp>
-
-#include "compute/stages/table_room.hpp"
 
 namespace lineatlas {
 
@@ -45,12 +41,6 @@ compute::TracedSilhouettes ExactLines::trace(const LineView& view) {
          .clip_from_world = glm::dmat4{view.camera.projection} * glm::dmat4{view.camera.view},
          .size = glm::dvec2{view.camera.size},
          .outside = sees_from_outside(view.camera, view.bounds)});
-}
-
-void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
-                       std::size_t chunk) {
-    if (chunk > 0) return visibility_.go_on(table);
-    visibility_.begin(table, view.camera, view.bounds, view.contact);
 }
 
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
