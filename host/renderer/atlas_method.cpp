@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "backdrop.hpp"
+#include "compute/transfer.hpp"
 #include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
@@ -129,9 +130,8 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
 
 std::vector<std::uint32_t> AtlasMethod::read_offsets() {
     if (!chains_.has_order()) return {};
-    std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
-    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{offsets}));
-    return offsets;
+    return compute::read_back<std::uint32_t>(device_, offsets_.compute(),
+                                             std::size_t{segment_count_} + 1);
 }
 
 void AtlasMethod::project(Frame& frame) {
@@ -316,13 +316,12 @@ FrameStats AtlasMethod::stats() {
 }
 
 Renderer::Samples AtlasMethod::read_samples() {
-    Renderer::Samples result;
-    result.offsets.resize(std::size_t{segment_count_} + 1);
-    result.runs = strokes_.read_runs();
-    result.density = strokes_.read_density();
-    result.alpha.resize(strokes_.sample_total());
-    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{result.offsets}));
-    device_.download(alpha_.compute(), std::as_writable_bytes(std::span{result.alpha}));
+    Renderer::Samples result{.offsets = compute::read_back<std::uint32_t>(
+                                 device_, offsets_.compute(), std::size_t{segment_count_} + 1),
+                             .alpha = compute::read_back<std::uint8_t>(device_, alpha_.compute(),
+                                                                       strokes_.sample_total()),
+                             .runs = strokes_.read_runs(),
+                             .density = strokes_.read_density()};
     const TableOrder in_chains = order();
     in_chains.restore(all_segments_, result.offsets, result.alpha);
     in_chains.restore(result.runs);

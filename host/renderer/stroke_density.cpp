@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compute/transfer.hpp"
 #include "glpasses/storage.hpp"
 #include "stroke_stage.hpp"
 
@@ -55,9 +56,7 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
 
 std::vector<float> StrokeStage::read_density() {
     if (!thinning(false).on) return {};
-    std::vector<float> weights(density_values());
-    device_.download(thinning(false).weights.compute(), std::as_writable_bytes(std::span{weights}));
-    return weights;
+    return compute::read_back<float>(device_, thinning(false).weights.compute(), density_values());
 }
 
 } // namespace lineatlas

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "compute/transfer.hpp"
 #include "frame_forms.hpp"
 
 namespace lineatlas {
@@ -270,16 +271,11 @@ void StrokeStage::keep(const Frame& frame, interop::SharedTable& alpha, std::siz
         thinning.drawn_before.resize(density_values());
         device_.download(*thinning.grid, std::as_writable_bytes(std::span{thinning.drawn_before}));
     }
-    const auto read_back = [&](SharedRuns& table) {
-        std::vector<Run> runs(table.totals.points[0]);
-        device_.download(table.runs.compute(), std::as_writable_bytes(std::span{runs}));
-        return runs;
-    };
     Kept& kept = kept_.emplace_back();
-    kept.visible = read_back(drawn(false));
+    kept.visible = read_runs(drawn(false));
     kept.visible_record = drawn(false).totals;
     if (has_hidden_) {
-        kept.hidden = read_back(drawn(true));
+        kept.hidden = read_runs(drawn(true));
         kept.hidden_record = drawn(true).totals;
     }
     kept.alpha.resize(alpha_bytes);
@@ -351,10 +347,8 @@ void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, s
     });
 }
 
-std::vector<Run> StrokeStage::read_runs() {
-    std::vector<Run> runs(visible_.totals.points[0]);
-    device_.download(visible_.runs.compute(), std::as_writable_bytes(std::span{runs}));
-    return runs;
+std::vector<Run> StrokeStage::read_runs(SharedRuns& table) {
+    return compute::read_back<Run>(device_, table.runs.compute(), table.totals.points[0]);
 }
 
 } // namespace lineatlas

@@ -61,7 +61,7 @@ class StrokeStage {
     std::uint32_t samples_of_frame() const { return kept_samples_ + unkept(sample_total()); }
     std::uint32_t runs_of_frame() const { return kept_runs_ + unkept(visible_.totals.run_total); }
     /// The visible runs of the last frame.
-    std::vector<Run> read_runs();
+    std::vector<Run> read_runs() { return read_runs(visible_); }
     /// The weights that density control gave lines in the last frame; empty without density
     /// control.
     std::vector<float> read_density();
@@ -120,6 +120,7 @@ class StrokeStage {
     /// After table.totals have come.
     void use_totals(SharedRuns& table);
     void make_table(SharedRuns& table);
+    std::vector<Run> read_runs(SharedRuns& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
     bool grow(SharedRuns& table);
     void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
