@@ -71,7 +71,7 @@ std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
 }
 
 GLuint SceneBuffers::gl_vertices() {
-    if (tables_.moving) return tables_.drawn->gl();
+    if (tables_.moving) return tables_.moving->drawn.gl();
     if (!gl_vertices_) {
         gl_vertices_ = upload_gl(bytes_of(compute::read_back<glm::vec3>(device(), *tables_.vertices,
                                                                         motion_.vertex_count())),
@@ -134,13 +134,13 @@ SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_transforms(world_from_object);
     start_moving(std::move(made));
 }
 
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
     start_moving(std::move(made));
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
@@ -158,36 +158,34 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
 }
 
 void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_hidden(objects);
     start_moving(std::move(made));
 }
 
-std::optional<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
-    if (tables_.moving) return std::nullopt;
-    return make_moving(*stages_, *sharing_);
+std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
+    return tables_.moving ? nullptr : make_moving(*stages_, *sharing_);
 }
 
-void SceneBuffers::start_moving(std::optional<Moving> made) {
+void SceneBuffers::start_moving(std::unique_ptr<Moving> made) {
     if (made) {
-        tables_.moving = std::move(made->moving);
-        tables_.drawn = std::move(made->drawn);
+        tables_.moving = std::move(made);
         gl_vertices_ = {};
     }
     moved_ = true;
 }
 
-SceneBuffers::Moving SceneBuffers::make_moving(compute::Stages& stages,
-                                               interop::Sharing& sharing) const {
+std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving(compute::Stages& stages,
+                                                                interop::Sharing& sharing) const {
     const std::size_t objects = followed_ ? followed_->object_room : motion_.objects().size();
     const MovingTables::Shape shape{.vertex_count = motion_.vertex_count(),
                                     .objects = motion_.objects(),
                                     .object_room = objects,
                                     .cluster_objects = cluster_objects_,
                                     .corner_count = tables_.contour_chunk().corner_count()};
-    Moving made{std::make_unique<MovingTables>(stages, shape),
-                std::make_unique<interop::SharedTable>(sharing, compute::table::drawn_vertices)};
-    made.drawn->fit(motion_.vertex_count() * sizeof(glm::vec3));
+    std::unique_ptr<Moving> made{
+        new Moving{{stages, shape}, {sharing, compute::table::drawn_vertices}}};
+    made->drawn.fit(motion_.vertex_count() * sizeof(glm::vec3));
     return made;
 }
 
@@ -196,7 +194,7 @@ void SceneBuffers::move() {
     normals_.find(*stages_, tables_);
     tables_.moving->transform(
         {*tables_.vertices, tables_.clusters.get(), tables_.contour_chunk().corners.get()},
-        &tables_.drawn->compute());
+        &tables_.moving->drawn.compute());
     moved_ = false;
     ++tables_.version;
     boxes_are_old_ = true;
@@ -333,11 +331,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
                   tables_.cluster_triangles
                       ? copy(*tables_.cluster_triangles, compute::table::cluster_triangles)
                       : nullptr};
-    if (tables_.moving) {
-        Moving made = make_moving(stages, sharing);
-        copied.moving = std::move(made.moving);
-        copied.drawn = std::move(made.drawn);
-    }
+    if (tables_.moving) copied.moving = make_moving(stages, sharing);
     return copied;
 }
 
