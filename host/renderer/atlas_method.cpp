@@ -1,7 +1,6 @@
 #include "atlas_method.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>

@@ -1,8 +1,6 @@
 #include "depth_stage.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "frame_forms.hpp"
 #include "picture_limits.hpp"

@@ -1,7 +1,5 @@
 #include "fill_stage.hpp"
 
-#include <algorithm>
-
 #include <glm/common.hpp>
 
 #include "backdrop.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #include "stroke_coverage.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "compute/transfer.hpp"
 #include "core/pens.hpp"

@@ -3,10 +3,8 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "frame.hpp"
 #include "glpasses/coverage_pass.hpp"
