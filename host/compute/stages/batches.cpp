@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "divide_up.hpp"
-
 namespace lineatlas::compute {
 
 void Batches::release() {

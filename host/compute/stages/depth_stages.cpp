@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <string>
 
-#include "divide_up.hpp"
 #include "lineatlas/error.hpp"
 #include "stages.hpp"
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "compute/transfer.hpp"
-#include "divide_up.hpp"
 #include "exact_visibility.hpp"
 
 namespace lineatlas::compute {

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {

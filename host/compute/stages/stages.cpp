@@ -1,8 +1,6 @@
 // From the model to clipped segments with their places in the atlas.
 #include "stages.hpp"
 
-#include "divide_up.hpp"
-
 namespace lineatlas::compute {
 
 void Stages::transform(const TransformArgs& args) {

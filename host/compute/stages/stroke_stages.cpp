@@ -1,7 +1,6 @@
 // `strokes` by kernels: lists runs by tiles of the picture, and draws the tiles.
 #include <algorithm>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {

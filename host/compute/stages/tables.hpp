@@ -12,6 +12,10 @@
 
 namespace lineatlas::compute {
 
+constexpr std::uint32_t divide_up(std::uint32_t n, std::uint32_t by) {
+    return n / by + (n % by != 0 ? 1 : 0);
+}
+
 /// Where silhouettes of smooth surfaces may run: LineSet::contours on the device.
 struct ContourTables {
     Buffer* corners = nullptr;      ///< `ContourCorner` each
@@ -62,7 +66,7 @@ struct BatchTable {
     Buffer* states = nullptr;  ///< a byte each: LA_BATCH_*, of the current frame
     std::uint32_t count = 0;   ///< segments, or triangles
 
-    std::uint32_t batch_count() const { return (count + LA_BATCH - 1) / LA_BATCH; }
+    std::uint32_t batch_count() const { return divide_up(count, LA_BATCH); }
 };
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.

@@ -1,7 +1,6 @@
 // Stages of samples: their visibility, its average over time, and the intervals that are read back.
 #include <algorithm>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
