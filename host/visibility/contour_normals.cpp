@@ -1,7 +1,5 @@
 #include "contour_normals.hpp"
 
-#include <span>
-
 #include "core/corner_normals.hpp"
 
 namespace lineatlas {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 
 #include "compute/stages/exact_visibility.hpp"
 #include "compute/stages/silhouette_chains.hpp"

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/device_trial.hpp"
