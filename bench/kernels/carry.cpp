@@ -34,15 +34,9 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     for (std::uint32_t i = 0; i < n; ++i) origin_values.push_back((i << 1U) + 1);
     const std::vector<std::uint32_t> memory_values = make_memory(paths, before);
     const SharedBuffer origins = to_device(device, origin_values);
-    const SharedBuffer memory = to_device(device, memory_values);
-    const auto words = [&](std::size_t count) {
-        return SharedBuffer{device.allocate(count * sizeof(std::uint32_t))};
-    };
-    const std::size_t count = n, more = count + 1;
-    const SharedBuffer lengths = words(more), found = words(more), kept = words(more),
-                       breaks = words(more), means = words(more), pieces = words(more),
-                       recalled = words(2 * count), list = words(count), shifts = words(count),
-                       carried = words(2 * count);
+    const auto tables = std::make_shared<compute::CarryTables>(&device);
+    tables->make_room(n, n);
+    write(device, *tables->memory, memory_values);
     const RunTables runs{device, on.runs};
     compact(stages, on, runs);
     const auto run = [=, &stages] {
@@ -55,29 +49,24 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                       .viewport = Paths::viewport,
                       .frame = before + 1,
                       .limit = 0.4F,
-                      .memory = *memory,
-                      .lengths = *lengths,
-                      .found = *found,
-                      .kept = *kept,
-                      .breaks = *breaks,
-                      .means = *means,
-                      .recalled = *recalled,
-                      .list = *list,
-                      .pieces = *pieces,
-                      .shifts = *shifts,
-                      .carried = *carried});
+                      .tables = *tables});
         stages.launch<compute::kernels::carry_runs>(
             runs.capacity,
             {.count = runs.capacity, .first = 0, .viewport = {}, .frame = 0, .limit = 0},
-            {.arcs = *on.arcs, .carried = *carried, .record = *runs.record, .runs = *runs.runs});
+            {.arcs = *on.arcs,
+             .carried = *tables->carried,
+             .record = *runs.record,
+             .runs = *runs.runs});
         stages.device().finish();
     };
     run();
-    return {
-        .run = run,
-        .bytes = 440.0 * n + 180.0 * on.runs,
-        .reset = [=, &device] { write(device, *memory, memory_values); },
-        .result = [=, &device] { return read_back<std::uint8_t>(device, *carried, 8 * count); }};
+    return {.run = run,
+            .bytes = 440.0 * n + 180.0 * on.runs,
+            .reset = [=, &device] { write(device, *tables->memory, memory_values); },
+            .result =
+                [=, &device] {
+                    return read_back<std::uint8_t>(device, *tables->carried, std::size_t{8} * n);
+                }};
 }
 
 } // namespace

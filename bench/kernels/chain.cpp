@@ -17,9 +17,8 @@ constexpr std::uint32_t ring = 64;
 
 /// The input of all three stages.
 struct Rings {
-    Rings(compute::Stages& stages, std::uint32_t n)
-        : device(stages.device()), count(n),
-          numbers(device.allocate((n + std::size_t{1}) * sizeof(std::uint32_t))) {
+    Rings(compute::Stages& stages, std::uint32_t n) : device(stages.device()), count(n) {
+        tables.numbers.fit((n + std::size_t{1}) * sizeof(std::uint32_t));
         std::vector<std::uint32_t> order(n);
         std::iota(order.begin(), order.end(), 0U);
         Random random{3};
@@ -58,85 +57,70 @@ struct Rings {
 
     compute::Device& device;
     std::uint32_t count, silhouettes = 0;
-    SharedBuffer segments, end_offsets, ends, vertices, front, numbers;
+    SharedBuffer segments, end_offsets, ends, vertices, front;
+    compute::ChainTables tables{&device};
 };
 
 Job prepare_silhouette(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
     const auto run = [&stages, rings] {
-        stages.silhouette(
-            {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
+        stages.silhouette(rings->table(), *rings->front, rings->tables);
         stages.device().finish();
     };
     run();
     return {.run = run, .bytes = 38.0 * n, .result = [rings, n] {
-                return read_back<std::uint8_t>(rings->device, *rings->numbers,
+                return read_back<std::uint8_t>(rings->device, *rings->tables.numbers,
                                                (n + std::size_t{1}) * sizeof(std::uint32_t));
             }};
 }
 
 Job prepare_list(compute::Stages& stages, std::uint32_t n) {
     const auto rings = std::make_shared<Rings>(stages, n);
-    stages.silhouette(
-        {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
+    stages.silhouette(rings->table(), *rings->front, rings->tables);
     const std::size_t count = rings->silhouettes;
-    const SharedBuffer chosen{rings->device.allocate(count * sizeof(std::uint32_t))},
-        positions{rings->device.allocate(n * sizeof(std::uint32_t))};
+    rings->tables.chosen.fit(count * sizeof(std::uint32_t));
+    rings->tables.positions.fit(n * sizeof(std::uint32_t));
     const auto run = [=, &stages] {
-        stages.silhouette_list({.candidates = rings->table().candidates,
-                                .numbers = *rings->numbers,
-                                .chosen = *chosen,
-                                .positions = *positions});
-        stages.device().finish();
-    };
-    run();
-    return {.run = run,
-            .bytes = 8.0 * n + 4.0 * static_cast<double>(count),
-            .result = [rings, chosen, count] {
-                return read_back<std::uint8_t>(rings->device, *chosen,
-                                               count * sizeof(std::uint32_t));
-            }};
-}
-
-Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
-    const auto rings = std::make_shared<Rings>(stages, n);
-    stages.silhouette(
-        {.table = rings->table(), .front = *rings->front, .numbers = *rings->numbers});
-    const std::size_t count = rings->silhouettes;
-    const auto words = [&](std::size_t each) {
-        return SharedBuffer{rings->device.allocate(each * sizeof(std::uint32_t))};
-    };
-    const SharedBuffer chosen = words(count), ways = words(8 * count), longer = words(8 * count),
-                       going = words(compute::most_chain_steps), places = words(4 * count),
-                       starts = words(count + 1), ordered = words(8 * count),
-                       origins = words(count), positions = words(n);
-    stages.silhouette_list({.candidates = rings->table().candidates,
-                            .numbers = *rings->numbers,
-                            .chosen = *chosen,
-                            .positions = *positions});
-    const auto run = [=, &stages] {
-        stages.chain({.table = rings->table(),
-                      .crossings = nullptr,
-                      .lifted = false,
-                      .view = {{0, 0, 1, 0}, true},
-                      .numbers = *rings->numbers,
-                      .count = rings->silhouettes,
-                      .chosen = *chosen,
-                      .ways = *ways,
-                      .longer = *longer,
-                      .going = *going,
-                      .places = *places,
-                      .starts = *starts,
-                      .ordered = *ordered,
-                      .origins = *origins,
-                      .positions = *positions});
+        stages.silhouette_list(rings->table().candidates, rings->tables);
         stages.device().finish();
     };
     run();
     return {
-        .run = run, .bytes = 656.0 * static_cast<double>(count), .result = [rings, ordered, count] {
-            return read_back<std::uint8_t>(rings->device, *ordered, count * sizeof(Segment));
+        .run = run, .bytes = 8.0 * n + 4.0 * static_cast<double>(count), .result = [rings, count] {
+            return read_back<std::uint8_t>(rings->device, *rings->tables.chosen,
+                                           count * sizeof(std::uint32_t));
         }};
+}
+
+Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
+    const auto rings = std::make_shared<Rings>(stages, n);
+    stages.silhouette(rings->table(), *rings->front, rings->tables);
+    const std::size_t count = rings->silhouettes;
+    compute::ChainTables& tables = rings->tables;
+    const auto words = [](compute::Table& table, std::size_t each) {
+        table.fit(each * sizeof(std::uint32_t));
+    };
+    for (compute::Table* table : {&tables.ways, &tables.longer, &tables.ordered})
+        words(*table, 8 * count);
+    for (compute::Table* table : {&tables.chosen, &tables.origins}) words(*table, count);
+    words(tables.going, compute::most_chain_steps);
+    words(tables.places, 4 * count);
+    words(tables.starts, count + 1);
+    words(tables.positions, n);
+    stages.silhouette_list(rings->table().candidates, tables);
+    const auto run = [=, &stages] {
+        stages.chain({.table = rings->table(),
+                      .view = {{0, 0, 1, 0}, true},
+                      .lifted = false,
+                      .count = rings->silhouettes,
+                      .tables = rings->tables});
+        stages.device().finish();
+    };
+    run();
+    return {.run = run, .bytes = 656.0 * static_cast<double>(count), .result = [rings, count] {
+                return read_back<std::uint8_t>(rings->device, *rings->tables.ordered,
+                                               count * sizeof(Segment));
+            }};
 }
 
 } // namespace

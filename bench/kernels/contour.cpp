@@ -38,53 +38,49 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                        edge_table = to_device(device, edges), face_table = to_device(device, faces),
                        places = to_device(device, vertices),
                        corners_of = to_device(device, face_corners),
-                       front = to_device(device, std::vector<std::uint8_t>(n, 1)),
-                       crossed = to_device(device, std::vector<std::uint32_t>(n)),
-                       crossings = to_device(device, std::vector<compute::ContourCrossing>(n));
-    // Makes tables of the job's buffers. Tables own nothing, so the job keeps the buffers.
-    const auto tables = [=] {
-        return compute::ContourTables{.corners = corner_table.get(),
-                                      .edges = edge_table.get(),
-                                      .face_corners = corners_of.get(),
-                                      .faces = face_table.get(),
-                                      .edge_count = n,
-                                      .face_count = n,
-                                      .replaced = 0,
-                                      .vertex_count = n};
+                       front = to_device(device, std::vector<std::uint8_t>(n, 1));
+    const auto crossed = std::make_shared<compute::ChainTables>(&device);
+    crossed->numbers.fit(n * sizeof(std::uint32_t));
+    // Made of what a job owns: the tables themselves own nothing.
+    const auto table = [=] {
+        const compute::ContourTables contours{.corners = corner_table.get(),
+                                              .edges = edge_table.get(),
+                                              .face_corners = corners_of.get(),
+                                              .faces = face_table.get(),
+                                              .edge_count = n,
+                                              .face_count = n,
+                                              .replaced = 0,
+                                              .vertex_count = n};
+        return compute::SegmentTable{*places, *corners_of, *places,
+                                     n,       n,           {.count = n, .contours = contours}};
     };
-    const auto cross = [=, &stages] {
-        stages.contour({.contours = tables(),
-                        .vertices = *places,
-                        .eye = {0, 0, 1, 0},
-                        .first_number = 0,
-                        .numbers = *crossed});
-    };
+    const glm::vec4 eye{0, 0, 1, 0};
+    const auto cross = [=, &stages] { stages.contour(table(), eye, *crossed); };
     cross();
     std::vector<std::uint32_t> is_crossed(n), number_values{0}, chosen_values;
-    device.download(*crossed, std::as_writable_bytes(std::span{is_crossed}));
+    device.download(*crossed->numbers, std::as_writable_bytes(std::span{is_crossed}));
     for (std::uint32_t i = 0; i < n; ++i) {
         if (is_crossed[i] != 0) chosen_values.push_back(i);
         number_values.push_back(static_cast<std::uint32_t>(chosen_values.size()));
     }
     const auto count = static_cast<std::uint32_t>(chosen_values.size());
-    const SharedBuffer numbers = to_device(device, number_values),
-                       chosen = to_device(device, chosen_values);
+    const auto made = std::make_shared<compute::ChainTables>(&device);
+    made->numbers.upload(std::span<const std::uint32_t>{number_values});
+    made->chosen.upload(std::span<const std::uint32_t>{chosen_values});
+    made->crossings.fit(count * sizeof(compute::ContourCrossing));
     const auto run = [=, &stages] {
         cross();
-        stages.contour_places(
-            {.table = {*places, *corners_of, *places, n, n, {.count = n, .contours = tables()}},
-             .eye = {0, 0, 1, 0},
-             .front = *front,
-             .numbers = *numbers,
-             .chosen = *chosen,
-             .count = count,
-             .on_surface = false,
-             .crossings = *crossings});
+        stages.contour_places({.table = table(),
+                               .view = {eye, true},
+                               .lifted = true,
+                               .count = count,
+                               .tables = *made},
+                              *front);
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, crossings, count] {
-                return read_back<std::uint8_t>(device, *crossings,
+    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, made, count] {
+                return read_back<std::uint8_t>(device, *made->crossings,
                                                count * sizeof(compute::ContourCrossing));
             }};
 }

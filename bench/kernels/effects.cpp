@@ -98,9 +98,7 @@ Job prepare_halo(compute::Stages& stages, std::uint32_t n) {
     const auto run = [on, cuts, &stages] {
         stages.halo({.table = on.table(),
                      .clipped = on.clipped_table(),
-                     .runs = *on.runs,
-                     .record = *on.record,
-                     .run_capacity = on.count,
+                     .runs = {*on.runs, *on.record, on.count},
                      .viewport = on.viewport,
                      .halo = halo_width,
                      .half_width = half_width,
@@ -128,9 +126,7 @@ Job prepare_density(compute::Stages& stages, std::uint32_t n) {
     const auto run = [=, &stages] {
         stages.density({.table = on.table(),
                         .atlas = {on.clipped_table(), *on.alpha, 0},
-                        .runs = *on.runs,
-                        .record = *on.record,
-                        .run_capacity = on.count,
+                        .runs = {*on.runs, *on.record, on.count},
                         .viewport = on.viewport,
                         .density = {.limit = 0.1F},
                         .focus = glm::vec4{0},

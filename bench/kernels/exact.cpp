@@ -43,9 +43,9 @@ struct Found {
              .occlusion = nullptr,
              .out = {*clipped_table, visibility.counts(), *arcs}});
         stages.scan(*arcs, n, compute::ScanKind::wrap);
-        visibility.surfaces(clipped());
+        visibility.surfaces();
         do {
-            visibility.tile_lists(clipped());
+            visibility.tile_lists();
             visibility.visible(clipped());
         } while (visibility.grow(clipped()));
         runs = stages.device().allocate(2 * n * sizeof(Run));
@@ -66,17 +66,13 @@ struct Found {
                           .viewport = glm::vec2{size},
                           .half_width = 1,
                           .hidden = false,
-                          .runs = *runs,
-                          .run_capacity = 2 * count,
-                          .record = *record});
+                          .runs = {*runs, *record, 2 * count}});
         stages.span_intervals({.table = table(),
                                .clipped = clipped(),
                                .spans = visibility.spans(),
                                .viewport = glm::vec2{size},
                                .hidden_too = false,
-                               .intervals = *intervals,
-                               .interval_capacity = 2 * count,
-                               .interval_total = *total});
+                               .into = {*intervals, 2 * count, *total}});
     }
 
     Terrain terrain;
@@ -105,13 +101,11 @@ Job job(compute::Stages& stages, std::uint32_t n, double bytes, Stage stage) {
 }
 
 Job prepare_surfaces(compute::Stages& stages, std::uint32_t n) {
-    return job(stages, n, 100,
-               [](compute::Stages&, Found& found) { found.visibility.surfaces(found.clipped()); });
+    return job(stages, n, 100, [](compute::Stages&, Found& found) { found.visibility.surfaces(); });
 }
 Job prepare_tile_lists(compute::Stages& stages, std::uint32_t n) {
-    return job(stages, n, 120, [](compute::Stages&, Found& found) {
-        found.visibility.tile_lists(found.clipped());
-    });
+    return job(stages, n, 120,
+               [](compute::Stages&, Found& found) { found.visibility.tile_lists(); });
 }
 Job prepare_visible(compute::Stages& stages, std::uint32_t n) {
     return job(stages, n, 200,

@@ -23,13 +23,9 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                        .viewport = Paths::viewport,
                        .half_width = 1,
                        .filter = filter,
-                       .runs = *from.runs,
-                       .record = *from.record,
+                       .runs = {*from.runs, *from.record, from.capacity},
                        .cuts = nullptr,
-                       .run_capacity = from.capacity,
-                       .filtered = *to.runs,
-                       .filtered_capacity = to.capacity,
-                       .filtered_record = *to.record});
+                       .filtered = {*to.runs, *to.record, to.capacity}});
         stages.device().finish();
     };
     run();

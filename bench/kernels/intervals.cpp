@@ -30,9 +30,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
                           .viewport = Paths::viewport,
                           .depth = {*depth, depth_size, 1, 1e-4F},
                           .hidden_too = false,
-                          .intervals = *intervals,
-                          .interval_capacity = capacity,
-                          .interval_total = *total});
+                          .into = {*intervals, capacity, *total}});
         stages.device().finish();
     };
     run();

@@ -166,12 +166,8 @@ Job prepare_pens(compute::Stages& stages, std::uint32_t n) {
         stages.pens({.table = on->paths.table(),
                      .segment_pens = *pens,
                      .outline = &outline,
-                     .runs = *from.runs,
-                     .record = *from.record,
-                     .run_capacity = from.capacity,
-                     .drawn = *to.runs,
-                     .drawn_capacity = to.capacity,
-                     .drawn_record = *to.record});
+                     .runs = {*from.runs, *from.record, from.capacity},
+                     .drawn = {*to.runs, *to.record, to.capacity}});
         stages.device().finish();
     };
     run();

@@ -104,9 +104,7 @@ void compact(compute::Stages& stages, const PathTables& paths, const RunTables& 
                     .atlas = paths.atlas(),
                     .viewport = Paths::viewport,
                     .half_width = 1,
-                    .runs = *to.runs,
-                    .run_capacity = to.capacity,
-                    .record = *to.record});
+                    .runs = {*to.runs, *to.record, to.capacity}});
     stages.device().finish();
 }
 

@@ -74,9 +74,8 @@ Job prepare_batches(compute::Stages& stages, std::uint32_t n) {
             "project_clip_boxes"); // the second frame without motion makes the boxes
     const auto count = (std::size_t{n} + LA_BATCH - 1) / LA_BATCH;
     const auto run = [=, &stages] {
-        const compute::BatchTable batches = made->batches.table();
         compute::ProjectClipArgs args = made->args();
-        args.batches = &batches;
+        args.batches = made->batches.table();
         stages.project_clip_batches(args, false);
         stages.device().finish();
     };
@@ -84,7 +83,7 @@ Job prepare_batches(compute::Stages& stages, std::uint32_t n) {
     return {.run = run,
             .bytes = static_cast<double>(count) * (sizeof(compute::Batch) + 1),
             .result = [=] {
-                return read_back<std::uint8_t>(made->device, made->batches.table().states, count);
+                return read_back<std::uint8_t>(made->device, *made->batches.table().states, count);
             }};
 }
 

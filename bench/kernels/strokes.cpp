@@ -27,8 +27,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer shown = device.allocate(static_cast<std::size_t>(tiles.x * tiles.y) * bytes);
     const auto run = [=, &stages] {
         const compute::StrokeLists lists{*ends, *entries, capacity};
-        stages.list_strokes({.runs = *from.runs,
-                             .record = *from.record,
+        stages.list_strokes({.runs = {*from.runs, *from.record, from.capacity},
                              .viewport = Paths::viewport,
                              .half_width = 1,
                              .lists = lists});

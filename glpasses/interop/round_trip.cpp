@@ -8,9 +8,31 @@
 #include "glpasses/objects.hpp"
 #include "lineatlas/error.hpp"
 #include "shared_table.hpp"
-#include "shared_texture.hpp"
 
 namespace lineatlas::interop {
+namespace {
+
+/// A two-dimensional GL texture that OpenCL has opened as an image. Only gl-sharing can do that.
+/// The renderer passes depth as a buffer, which every mode can; see docs/interop.md.
+class SharedTexture final : public Shared {
+  public:
+    /// Opens level 0 of `texture`. Its size and format must be final, and it must outlive this
+    /// object. Throws DeviceError if the driver refuses, as it does for formats that OpenCL lacks.
+    SharedTexture(const compute::OpenClBackend& device, GLuint texture) try
+        : image_(device.context(), CL_MEM_READ_WRITE, GL_TEXTURE_2D, 0, texture, nullptr) {
+    } catch (const cl::Error& error) {
+        throw DeviceError(std::string{"sharing a GL texture failed: "} + error.what() +
+                          " returned " + std::to_string(error.err()));
+    }
+    const cl::Image& image() const { return image_; } ///< for kernels, while compute has it
+
+  private:
+    _cl_mem* opened() const override { return image_(); }
+
+    cl::ImageGL image_;
+};
+
+} // namespace
 
 bool round_trip(compute::Device& device, SharingMode mode) {
     constexpr std::uint32_t n = 1023;

@@ -32,14 +32,22 @@ using la_mat4 = glm::mat4;
 #include "kernels.h"
 
 /// Every kernel of kernels/kernels.h as a type: its Parameters, and its Tables by their names,
-/// which tables_of() finds among the members of groups.
+/// which list_of() finds among the members of groups.
 namespace kernels {
+
+/// What a group has by a name: a table, or null for a table that the launch does without.
+inline Buffer* address_of(Buffer& table) {
+    return &table;
+}
+inline Buffer* address_of(Buffer* table) {
+    return table;
+}
 
 /// The table that a name stands for, in the first of the groups that has it.
 template <class Named>
-Buffer& named_table(const Named&) = delete; // no group has it
+Buffer* named_table(const Named&) = delete; // no group has it
 template <class Named, class Group, class... Groups>
-Buffer& named_table(const Named& named, const Group& group, const Groups&... groups) {
+Buffer* named_table(const Named& named, const Group& group, const Groups&... groups) {
     if constexpr (std::is_invocable_v<Named, const Group&>)
         return named(group);
     else
@@ -47,12 +55,11 @@ Buffer& named_table(const Named& named, const Group& group, const Groups&... gro
 }
 
 #define LA_MEMBER(type, name) Buffer& name;
-#define LA_ADDRESS(type, name) &tables.name,
 #define LA_NAMED(type, name)                                                                       \
     named_table(                                                                                   \
-        [](const auto& group) -> Buffer& requires requires {                                       \
-            { group.name } -> std::convertible_to<Buffer&>;                                        \
-        } { return group.name; },                                                                  \
+        [](const auto& group) -> Buffer* requires requires { address_of(group.name); } {           \
+            return address_of(group.name);                                                         \
+        },                                                                                         \
         groups...),
 #define LA_KERNEL_TYPE(stage, kernel, Parameters_)                                                 \
     struct kernel {                                                                                \
@@ -61,19 +68,15 @@ Buffer& named_table(const Named& named, const Group& group, const Groups&... gro
         struct Tables {                                                                            \
             kernel##_tables(LA_MEMBER, LA_MEMBER, LA_MEMBER, LA_MEMBER)                            \
         };                                                                                         \
-        static auto list(const Tables& tables) {                                                   \
-            return std::to_array<Buffer*>(                                                         \
-                {kernel##_tables(LA_ADDRESS, LA_ADDRESS, LA_ADDRESS, LA_ADDRESS)});                \
-        }                                                                                          \
         template <class... Groups>                                                                 \
-        static Tables tables_of(const Groups&... groups) {                                         \
-            return {kernel##_tables(LA_NAMED, LA_NAMED, LA_NAMED, LA_NAMED)};                      \
+        static auto list_of(const Groups&... groups) {                                             \
+            return std::to_array<Buffer*>(                                                         \
+                {kernel##_tables(LA_NAMED, LA_NAMED, LA_NAMED, LA_NAMED)});                        \
         }                                                                                          \
     };
 LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
 #undef LA_KERNEL_TYPE
 #undef LA_NAMED
-#undef LA_ADDRESS
 #undef LA_MEMBER
 
 } // namespace kernels

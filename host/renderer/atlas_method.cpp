@@ -1,7 +1,6 @@
 #include "atlas_method.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "backdrop.hpp"
+#include "compute/transfer.hpp"
 #include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
 #include "lineatlas/error.hpp"
@@ -129,9 +129,8 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
 
 std::vector<std::uint32_t> AtlasMethod::read_offsets() {
     if (!chains_.has_order()) return {};
-    std::vector<std::uint32_t> offsets(std::size_t{segment_count_} + 1);
-    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{offsets}));
-    return offsets;
+    return compute::read_back<std::uint32_t>(device_, offsets_.compute(),
+                                             std::size_t{segment_count_} + 1);
 }
 
 void AtlasMethod::project(Frame& frame) {
@@ -145,8 +144,8 @@ void AtlasMethod::project(Frame& frame) {
         .tolerance = frame.depth_tolerance(),
         .keep_clipped = StrokeStage::draws_hidden(frame) || IntervalStage::wants_hidden(frame)};
     frame.clock("project_clip", [&] {
-        std::optional<compute::BatchTable> batches;
-        if (batches_.has_segments(frame.scene.candidate_table())) batches.emplace(batches_.table());
+        compute::BatchTable batches;
+        if (batches_.has_segments(frame.scene.candidate_table())) batches = batches_.table();
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
             .front = chains_.front(),
@@ -158,9 +157,9 @@ void AtlasMethod::project(Frame& frame) {
             .occlusion = cull_hidden_ ? &occlusion : nullptr,
             .out = clipped_table(),
             .numbers = frame.knows_surfaces() ? &frame.scene.surfaces().numbers : nullptr,
-            .batches = batches ? &*batches : nullptr,
+            .batches = batches,
             .centre_overhang = frame.options.style.centre_overhang};
-        if (batches) {
+        if (batches.count > 0) {
             const bool drops_hidden = cull_hidden_ && frame.knows_surfaces() && !keeps_intervals_ &&
                                       !strokes_.measures_lines(frame);
             stages_.project_clip_batches(args, drops_hidden);
@@ -262,17 +261,6 @@ bool AtlasMethod::grow() {
     return strokes_.grow() || intervals_grown || atlas_grown;
 }
 
-void AtlasMethod::draw_fill(Frame& frame) {
-    if (FillStage::draws(frame, depth_)) {
-        fill_.color(frame, depth_);
-        fill_.lay(frame);
-    } else if (frame.options.method == Method::atlas) {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    } else {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill);
-    }
-}
-
 void AtlasMethod::find(Frame& frame) {
     do {
         sample(frame);
@@ -310,29 +298,29 @@ FrameStats AtlasMethod::draw(Frame& frame) {
         find(frame);
     }
     if (frame.options.draw) {
-        draw_fill(frame);
+        if (frame.options.method == Method::item_buffer)
+            frame.backdrop.draw_fill(frame, frame.options.style.fill);
+        else
+            fill_.draw(frame, depth_);
         strokes_.draw(frame, alpha_);
     }
-    return stats(frame);
+    return stats();
 }
 
-FrameStats AtlasMethod::stats(Frame& frame) {
-    return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = depth_.triangles_drawn(),
-            .segments = frame.scene.segment_count(),
+FrameStats AtlasMethod::stats() {
+    return {.triangles_drawn = depth_.triangles_drawn(),
             .samples = strokes_.samples_of_frame(),
             .runs = strokes_.runs_of_frame(),
-            .stages = frame.clock.take()};
+            .stages = {}};
 }
 
 Renderer::Samples AtlasMethod::read_samples() {
-    Renderer::Samples result;
-    result.offsets.resize(std::size_t{segment_count_} + 1);
-    result.runs = strokes_.read_runs();
-    result.density = strokes_.read_density();
-    result.alpha.resize(strokes_.sample_total());
-    device_.download(offsets_.compute(), std::as_writable_bytes(std::span{result.offsets}));
-    device_.download(alpha_.compute(), std::as_writable_bytes(std::span{result.alpha}));
+    Renderer::Samples result{.offsets = compute::read_back<std::uint32_t>(
+                                 device_, offsets_.compute(), std::size_t{segment_count_} + 1),
+                             .alpha = compute::read_back<std::uint8_t>(device_, alpha_.compute(),
+                                                                       strokes_.sample_total()),
+                             .runs = strokes_.read_runs(),
+                             .density = strokes_.read_density()};
     const TableOrder in_chains = order();
     in_chains.restore(all_segments_, result.offsets, result.alpha);
     in_chains.restore(result.runs);

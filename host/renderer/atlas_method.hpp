@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "compute/stages/batches.hpp"
@@ -81,8 +80,7 @@ class AtlasMethod {
     /// Enlarges the tables that the frame's totals exceed; true if it must be sampled again.
     bool grow();
     bool grow_atlas(std::uint64_t needed);
-    void draw_fill(Frame& frame);
-    FrameStats stats(Frame& frame);
+    FrameStats stats();
 
     std::uint64_t rows(std::uint32_t samples) const {
         return (std::uint64_t{samples} + row_ - 1) / row_;

@@ -81,7 +81,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         fill_tile(frame);
         strokes_.draw(frame, alpha_);
     });
-    return stats(frame);
+    return stats();
 }
 
 } // namespace lineatlas

@@ -1,8 +1,6 @@
 #include "depth_stage.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "frame_forms.hpp"
 #include "picture_limits.hpp"
@@ -113,8 +111,7 @@ bool DepthStage::wants_kernels(const Frame& frame) const {
 }
 
 compute::Buffer& DepthStage::blank_tiles() {
-    const std::size_t words =
-        (compute::count_of_tiles(size_) + sizeof(la_uint) - 1) / sizeof(la_uint);
+    const std::size_t words = compute::divide_up(compute::count_of_tiles(size_), sizeof(la_uint));
     if (blank_of_ == size_) return *blank_;
     blank_of_.reset();
     blank_.fit(words * sizeof(la_uint));

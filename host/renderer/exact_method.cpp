@@ -95,7 +95,7 @@ FrameStats ExactMethod::draw(Frame& frame) {
     const gl::TriangleRange all{0, frame.scene.triangle_count()};
     if (frame.options.draw) draw_fill(frame, {&all, 1});
     if (frame.options.draw) strokes_.draw(frame, alpha_);
-    return stats(frame);
+    return {.runs = strokes_.runs_of_frame(), .stages = {}};
 }
 
 FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
@@ -107,16 +107,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
         strokes_.draw(frame, alpha_);
     });
-    return stats(frame);
-}
-
-FrameStats ExactMethod::stats(Frame& frame) {
-    return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = 0,
-            .segments = frame.scene.segment_count(),
-            .samples = 0,
-            .runs = strokes_.runs_of_frame(),
-            .stages = frame.clock.take()};
+    return {.runs = strokes_.runs_of_frame(), .stages = {}};
 }
 
 } // namespace lineatlas

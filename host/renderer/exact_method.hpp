@@ -43,7 +43,6 @@ class ExactMethod {
     /// Draws the fill of the part that goes to the framebuffer. `seen`: as in
     /// Backdrop::draw_fill().
     void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
-    FrameStats stats(Frame& frame);
 
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_

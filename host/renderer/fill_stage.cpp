@@ -1,7 +1,5 @@
 #include "fill_stage.hpp"
 
-#include <algorithm>
-
 #include <glm/common.hpp>
 
 #include "backdrop.hpp"
@@ -32,27 +30,35 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
     const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
     const glm::vec2 step = 2.0F / glm::vec2{frame.camera.size * scale};
     frame.clock("fill", [&] {
-        stages_.fill({.model = frame.scene.meshlets(),
-                      .vertices = frame.scene.candidate_table().vertices,
-                      .seen = depth.seen(),
-                      .colors = frame.scene.colors(),
-                      .smooth = is_lit ? frame.scene.smooth_triangles() : std::nullopt,
-                      .fill = fill,
-                      .clip_from_world = frame.camera.clip_from_world(),
-                      .first_texel = (glm::vec2{tile.low * scale} + 0.5F) * step - 1.0F,
-                      .texel_step = step,
-                      .eye_from_world = frame.camera.view,
-                      .eye = frame.camera.eye(),
-                      .shaded = *shaded_,
-                      .numbers = depth.surfaces().numbers()->compute(),
-                      .row = depth.size().x,
-                      .origin = origin,
-                      .scale = scale,
-                      .size = size_,
-                      .part = part_,
-                      .pixels = pixels_.compute()});
+        stages_.fill(
+            {.model = frame.scene.meshlets(),
+             .vertices = frame.scene.candidate_table().vertices,
+             .seen = depth.seen(),
+             .colors = frame.scene.colors(),
+             .smooth = is_lit ? frame.scene.smooth_triangles() : compute::SmoothTriangles{},
+             .fill = fill,
+             .clip_from_world = frame.camera.clip_from_world(),
+             .first_texel = (glm::vec2{tile.low * scale} + 0.5F) * step - 1.0F,
+             .texel_step = step,
+             .eye_from_world = frame.camera.view,
+             .eye = frame.camera.eye(),
+             .shaded = *shaded_,
+             .numbers = depth.surfaces().numbers()->compute(),
+             .row = depth.size().x,
+             .origin = origin,
+             .scale = scale,
+             .size = size_,
+             .part = part_,
+             .pixels = pixels_.compute()});
         device_.flush();
     });
+}
+
+void FillStage::draw(Frame& frame, DepthStage& depth) {
+    if (!draws(frame, depth))
+        return frame.backdrop.draw_fill(frame, frame.options.style.fill, depth.drawn());
+    color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
+    lay(frame);
 }
 
 void FillStage::lay(Frame& frame, glm::ivec2 at) {

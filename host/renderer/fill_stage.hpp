@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "core/tiles.hpp"
@@ -29,10 +28,9 @@ class FillStage {
     /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
     /// buffer in the whole picture. Throws as Backdrop::check_fill() does.
     void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
-    /// The same with the whole picture.
-    void color(Frame& frame, DepthStage& depth) {
-        color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
-    }
+
+    /// Draws the fill of a whole picture that `depth` was drawn for, in either form.
+    void draw(Frame& frame, DepthStage& depth);
     /// Lays the coloured pixels over the picture. `at`: where the tile lies in the part of the
     /// picture that goes to the framebuffer.
     void lay(Frame& frame, glm::ivec2 at = {0, 0});

@@ -7,16 +7,13 @@ namespace lineatlas {
 
 void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input, DepthStage& depth) {
     if (!table_.kept()) return;
-    const IntervalTable::Room room = table_.room();
     frame.clock("intervals", [&] {
         stages_.intervals({.table = frame.scene.table(),
                            .atlas = input,
                            .viewport = frame.viewport(),
                            .depth = depth.probed(frame),
                            .hidden_too = wants_hidden(frame),
-                           .intervals = room.intervals,
-                           .interval_capacity = room.capacity,
-                           .interval_total = room.total});
+                           .into = table_.room()});
         table_.read_total();
     });
 }
@@ -24,16 +21,13 @@ void IntervalStage::find(Frame& frame, const compute::SegmentAtlas& input, Depth
 void IntervalStage::find(Frame& frame, const compute::ClippedTable& clipped,
                          const compute::SpanTable& spans) {
     if (!table_.kept()) return;
-    const IntervalTable::Room room = table_.room();
     frame.clock("intervals", [&] {
         stages_.span_intervals({.table = frame.scene.table(),
                                 .clipped = clipped,
                                 .spans = spans,
                                 .viewport = frame.viewport(),
                                 .hidden_too = wants_hidden(frame),
-                                .intervals = room.intervals,
-                                .interval_capacity = room.capacity,
-                                .interval_total = room.total});
+                                .into = table_.room()});
         table_.read_total();
     });
 }

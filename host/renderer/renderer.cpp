@@ -1,7 +1,5 @@
 #include "lineatlas/renderer.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -101,14 +99,14 @@ Progress outside(gl::StateGuard& guard, const Progress& progress) {
 } // namespace
 
 class Renderer::State {
+    friend class Renderer;
+
   public:
     explicit State(const DeviceOptions& options)
         : connection_(interop::connect(connect_options(options))),
           atlas_(std::make_unique<AtlasMethod>(connection_)) {}
 
-    void set_device(const DeviceOptions& options) {
-        use(interop::connect(connect_options(options)));
-    }
+    compute::Device& device() const { return connection_.stages->device(); }
 
     void use(interop::Connection connection) {
         auto atlas = std::make_unique<AtlasMethod>(connection);
@@ -128,15 +126,6 @@ class Renderer::State {
         samples_drawn_ = broken_ = tried_ = false;
     }
 
-    Comparison comparison() const {
-        const auto* comparing =
-            dynamic_cast<const compute::ComparingDevice*>(&connection_.stages->device());
-        if (comparing == nullptr) return {};
-        return {comparing->summary().kernels, comparing->summary().elements};
-    }
-
-    bool context_is_current() const { return gl::current_context() == context_; }
-
     /// Call at the start of any call that uses GL. Refuses any context but the renderer's own. The
     /// guard that it returns keeps the program's state.
     gl::StateGuard enter() const {
@@ -147,18 +136,6 @@ class Renderer::State {
         gl::require_alive();
         return gl::StateGuard{};
     }
-
-    std::vector<compute::TableMemory> tables() const {
-        const auto& all = connection_.stages->device().tables();
-        return {all.begin(), all.end()};
-    }
-
-    std::string description() const {
-        return connection_.stages->device().description() + ", sharing by " +
-               std::string{interop::name_of(connection_.sharing->mode())};
-    }
-
-    const std::string& note() const { return connection_.note; }
 
     void set_parts(const AssemblyState& parts) {
         bool updated = false;
@@ -210,7 +187,7 @@ class Renderer::State {
     auto where_kernels_build(Action&& action) -> decltype(action()) {
         for (;;) {
             try {
-                if (!tried_) try_frames(connection_.stages->device(), connection_.sharing->mode());
+                if (!tried_) try_frames(device(), connection_.sharing->mode());
                 tried_ = true;
                 return action();
             } catch (const compute::BuildError& error) {
@@ -232,18 +209,17 @@ class Renderer::State {
         samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
         has_exact_intervals_ = options.method == Method::exact;
         if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
-        std::ranges::move(frame.clock.take(), std::back_inserter(stats.stages));
+        stats.stages = frame.clock.take();
         if (profiled) profiled->finish(stats);
         return stats;
     }
 
     void prepare(const FrameOptions& options, const Progress& progress) {
         check(options);
-        compute::Device& device = connection_.stages->device();
-        const std::vector<compute::KernelForm> kernels = needed_kernels(options, device);
+        const std::vector<compute::KernelForm> kernels = needed_kernels(options, device());
         const bool many = scene_ && scene_->most_elements() >= compute::IdleLaunches::many_items;
         const ProgressPart part{progress, "preparing"};
-        compute::IdleLaunches idle{device};
+        compute::IdleLaunches idle{device()};
         float done = 0;
         for (const compute::KernelForm& kernel : kernels) {
             part(done++ / static_cast<float>(kernels.size()));
@@ -251,12 +227,6 @@ class Renderer::State {
             if (many && kernel.per_element) idle.launch(kernel, true);
         }
         part(1);
-    }
-
-    int tile_size(glm::ivec2 size, const FrameOptions& options) const {
-        check(options);
-        check_picture(size);
-        return tile_size_for(size, options, connection_.stages->device());
     }
 
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
@@ -278,22 +248,10 @@ class Renderer::State {
             return by_cuts ? exact().draw_tiles(frame, target) : atlas_->draw_tiles(frame, target);
         });
         has_exact_intervals_ = by_cuts;
+        stats.stages = frame.clock.take();
         if (profiled) profiled->finish(stats);
         samples_drawn_ = !by_cuts;
         return stats;
-    }
-
-    void set_pen_image(const std::string& mark, Image image) {
-        pens_.set_image(mark, std::move(image));
-    }
-
-    Samples read_samples() {
-        if (!samples_drawn_) {
-            throw UsageError(
-                "renderer: read_samples() needs a frame of method atlas or item-buffer");
-        }
-        if (scene_->chunk_count() > 1) throw needs_whole_table(purpose::samples);
-        return atlas_->read_samples();
     }
 
     std::vector<Interval> read_intervals() {
@@ -321,10 +279,6 @@ class Renderer::State {
         return has_exact_intervals_ && exact_ ? exact_->read_outlines() : atlas_->read_outlines();
     }
 
-    std::vector<FrameProfile> take_profiles(bool wait) {
-        return recorder_ ? recorder_->take(wait) : std::vector<FrameProfile>{};
-    }
-
   private:
     std::optional<Pick> pick_in(const Camera& camera, glm::vec2 position, float radius,
                                 LineKindMask kinds) {
@@ -338,8 +292,8 @@ class Renderer::State {
         const PlacedLines lines = scene_->placed();
         try {
             if (!picking_) picking_.emplace(*connection_.stages, lines);
-            return lineatlas::pick(*picking_, connection_.stages->device(), lines,
-                                   scene_->motion().objects(), view, position, radius);
+            return lineatlas::pick(*picking_, device(), lines, scene_->motion().objects(), view,
+                                   position, radius);
         } catch (...) {
             picking_.reset(); // half made
             throw;
@@ -348,7 +302,7 @@ class Renderer::State {
 
     DeviceError needs_whole_table(const Purpose& purpose) const {
         const std::uint64_t bytes = scene_->segment_count() * std::uint64_t{sizeof(ClippedSegment)};
-        const std::uint64_t most = connection_.stages->device().largest_buffer();
+        const std::uint64_t most = device().largest_buffer();
         return DeviceError{beyond_limit(purpose,
                                         "all line segments in one table of " + written_bytes(bytes),
                                         "a buffer of this device holds " + written_bytes(most))};
@@ -391,23 +345,24 @@ class Renderer::State {
         gl::require_alive();
         broken_ = false;
         has_frame_ = true;
+        stats.triangles = scene_->triangle_count();
+        stats.segments = scene_->segment_count();
         count_memory(stats);
         return stats;
     }
 
     void count_memory(FrameStats& stats) const {
-        const compute::Device& device = connection_.stages->device();
         stats.mesh_bytes =
-            compute::bytes_for(device, {&purpose::model, &purpose::motion, &purpose::fill});
-        stats.segment_bytes = compute::bytes_for(device, {&purpose::segments, &purpose::exact});
-        stats.sample_bytes = compute::bytes_for(device, {&purpose::atlas});
+            compute::bytes_for(device(), {&purpose::model, &purpose::motion, &purpose::fill});
+        stats.segment_bytes = compute::bytes_for(device(), {&purpose::segments, &purpose::exact});
+        stats.sample_bytes = compute::bytes_for(device(), {&purpose::atlas});
         stats.run_bytes =
-            compute::bytes_for(device, {&purpose::strokes, &purpose::density, &purpose::halos});
+            compute::bytes_for(device(), {&purpose::strokes, &purpose::density, &purpose::halos});
     }
 
     std::optional<ProfileRecorder::Frame> begin_profile(const FrameOptions& options) {
         if (!options.profile) return std::nullopt;
-        if (!recorder_) recorder_.emplace(connection_.stages->device(), gl::is_software());
+        if (!recorder_) recorder_.emplace(device(), gl::is_software());
         return std::optional<ProfileRecorder::Frame>{std::in_place, *recorder_};
     }
 
@@ -511,7 +466,7 @@ Renderer::Renderer(const DeviceOptions& options) {
 Renderer::~Renderer() {
     if (!state_) return;
     std::optional<gl::ForgetObjects> forget;
-    if (!state_->context_is_current()) forget.emplace();
+    if (gl::current_context() != state_->context_) forget.emplace();
     state_.reset();
 }
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -522,27 +477,31 @@ Renderer& Renderer::operator=(Renderer&& other) noexcept {
 }
 
 std::string Renderer::description() const {
-    return state_->description();
+    return state_->device().description() + ", sharing by " +
+           std::string{interop::name_of(state_->connection_.sharing->mode())};
 }
 
 std::vector<compute::TableMemory> Renderer::tables() const {
-    return state_->tables();
+    const auto& all = state_->device().tables();
+    return {all.begin(), all.end()};
 }
 
 std::string Renderer::note() const {
-    return state_->note();
+    return state_->connection_.note;
 }
 
 void Renderer::set_device(const DeviceOptions& options) {
     const gl::StateGuard guard = state_->enter();
-    state_->set_device(options);
+    state_->use(interop::connect(connect_options(options)));
 }
 Renderer::Comparison Renderer::comparison() const {
-    return state_->comparison();
+    const auto* comparing = dynamic_cast<const compute::ComparingDevice*>(&state_->device());
+    if (comparing == nullptr) return {};
+    return {comparing->summary().kernels, comparing->summary().elements};
 }
 void Renderer::set_pen_image(const std::string& mark, Image image) {
     const gl::StateGuard guard = state_->enter();
-    state_->set_pen_image(mark, std::move(image));
+    state_->pens_.set_image(mark, std::move(image));
 }
 void Renderer::set_lines(const LineSet& lines) {
     const gl::StateGuard guard = state_->enter();
@@ -590,11 +549,13 @@ std::vector<OutlinePart> Renderer::read_outlines() {
 }
 std::vector<FrameProfile> Renderer::take_profiles(bool wait) {
     const gl::StateGuard guard = state_->enter();
-    return state_->take_profiles(wait);
+    return state_->recorder_ ? state_->recorder_->take(wait) : std::vector<FrameProfile>{};
 }
 int Renderer::tile_size(glm::ivec2 size, const FrameOptions& options) const {
     const gl::StateGuard guard = state_->enter();
-    return state_->tile_size(size, options);
+    check(options);
+    check_picture(size);
+    return tile_size_for(size, options, state_->device());
 }
 void Renderer::prepare(const FrameOptions& options, const Progress& progress) {
     gl::StateGuard guard = state_->enter();
@@ -633,7 +594,10 @@ FrameStats Renderer::draw_tiles(const Camera& camera, const FrameOptions& option
 }
 Renderer::Samples Renderer::read_samples() {
     const gl::StateGuard guard = state_->enter();
-    return state_->read_samples();
+    if (!state_->samples_drawn_)
+        throw UsageError("renderer: read_samples() needs a frame of method atlas or item-buffer");
+    if (state_->scene_->chunk_count() > 1) throw state_->needs_whole_table(purpose::samples);
+    return state_->atlas_->read_samples();
 }
 
 } // namespace lineatlas

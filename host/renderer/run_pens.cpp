@@ -1,6 +1,5 @@
 #include "run_pens.hpp"
 
-#include <cstddef>
 #include <span>
 
 namespace lineatlas {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -53,7 +52,7 @@ SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, c
     cluster_objects_ = std::move(made.objects);
     triangle_order_ = std::move(made.order);
     upload_colors(lines);
-    tables_.clusters = upload(device(), bytes_of(clusters_), compute::table::clusters);
+    tables_.clusters = compute::upload(device(), clusters_, compute::table::clusters);
     if (parts != nullptr) follow(*parts);
 }
 
@@ -71,7 +70,7 @@ std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
 }
 
 GLuint SceneBuffers::gl_vertices() {
-    if (tables_.moving) return tables_.drawn->gl();
+    if (tables_.moving) return tables_.moving->drawn.gl();
     if (!gl_vertices_) {
         gl_vertices_ = upload_gl(bytes_of(compute::read_back<glm::vec3>(device(), *tables_.vertices,
                                                                         motion_.vertex_count())),
@@ -93,9 +92,9 @@ compute::MeshletTables SceneBuffers::meshlets() {
         Meshlets built = build_meshlets(ordered_triangles(), clusters_, motion_.vertex_count());
         if (followed_) built = spread_out(built, 0);
         auto vertex_list =
-            upload(device(), bytes_of(built.vertices), compute::table::meshlet_vertices);
-        auto corners = upload(device(), bytes_of(built.corners), compute::table::meshlet_corners);
-        tables_.meshlets = upload(device(), bytes_of(built.meshlets), compute::table::meshlets);
+            compute::upload(device(), built.vertices, compute::table::meshlet_vertices);
+        auto corners = compute::upload(device(), built.corners, compute::table::meshlet_corners);
+        tables_.meshlets = compute::upload(device(), built.meshlets, compute::table::meshlets);
         tables_.vertex_list = std::move(vertex_list);
         tables_.corners = std::move(corners);
     }
@@ -113,8 +112,8 @@ SceneBuffers::Surfaces SceneBuffers::surfaces() {
             numbers[triangle_order_[i]] = i;
             patches[i] = of_triangles[triangle_order_[i]];
         }
-        auto uploaded = upload(device(), bytes_of(numbers), compute::table::triangle_numbers);
-        tables_.patches = upload(device(), bytes_of(patches), compute::table::triangle_patches);
+        auto uploaded = compute::upload(device(), numbers, compute::table::triangle_numbers);
+        tables_.patches = compute::upload(device(), patches, compute::table::triangle_patches);
         tables_.numbers = std::move(uploaded);
     }
     return {*tables_.numbers, *tables_.patches};
@@ -134,20 +133,20 @@ SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
 }
 
 void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_transforms(world_from_object);
     start_moving(std::move(made));
 }
 
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_positions(first, positions);
     start_moving(std::move(made));
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
     if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
         tables_.cluster_triangles =
-            upload(device(), bytes_of(ordered_triangles()), compute::table::cluster_triangles);
+            compute::upload(device(), ordered_triangles(), compute::table::cluster_triangles);
     }
     const auto count = static_cast<std::uint32_t>(clusters_.size());
     stages_->launch_each<compute::kernels::transform_bounds>(
@@ -158,36 +157,34 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
 }
 
 void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
-    std::optional<Moving> made = make_moving_once(); // before anything changes
+    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
     motion_.set_hidden(objects);
     start_moving(std::move(made));
 }
 
-std::optional<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
-    if (tables_.moving) return std::nullopt;
-    return make_moving(*stages_, *sharing_);
+std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
+    return tables_.moving ? nullptr : make_moving(*stages_, *sharing_);
 }
 
-void SceneBuffers::start_moving(std::optional<Moving> made) {
+void SceneBuffers::start_moving(std::unique_ptr<Moving> made) {
     if (made) {
-        tables_.moving = std::move(made->moving);
-        tables_.drawn = std::move(made->drawn);
+        tables_.moving = std::move(made);
         gl_vertices_ = {};
     }
     moved_ = true;
 }
 
-SceneBuffers::Moving SceneBuffers::make_moving(compute::Stages& stages,
-                                               interop::Sharing& sharing) const {
+std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving(compute::Stages& stages,
+                                                                interop::Sharing& sharing) const {
     const std::size_t objects = followed_ ? followed_->object_room : motion_.objects().size();
     const MovingTables::Shape shape{.vertex_count = motion_.vertex_count(),
                                     .objects = motion_.objects(),
                                     .object_room = objects,
                                     .cluster_objects = cluster_objects_,
                                     .corner_count = tables_.contour_chunk().corner_count()};
-    Moving made{std::make_unique<MovingTables>(stages, shape),
-                std::make_unique<interop::SharedTable>(sharing, compute::table::drawn_vertices)};
-    made.drawn->fit(motion_.vertex_count() * sizeof(glm::vec3));
+    std::unique_ptr<Moving> made{
+        new Moving{{stages, shape}, {sharing, compute::table::drawn_vertices}}};
+    made->drawn.fit(motion_.vertex_count() * sizeof(glm::vec3));
     return made;
 }
 
@@ -196,7 +193,7 @@ void SceneBuffers::move() {
     normals_.find(*stages_, tables_);
     tables_.moving->transform(
         {*tables_.vertices, tables_.clusters.get(), tables_.contour_chunk().corners.get()},
-        &tables_.drawn->compute());
+        &tables_.moving->drawn.compute());
     moved_ = false;
     ++tables_.version;
     boxes_are_old_ = true;
@@ -268,7 +265,7 @@ compute::Buffer* SceneBuffers::colors() {
         look_up(std::uint8_t{});
     else
         look_up(std::uint16_t{});
-    tables_.colors = upload(device(), bytes_of(colors), compute::table::colors);
+    tables_.colors = compute::upload(device(), colors, compute::table::colors);
     return tables_.colors.get();
 }
 
@@ -287,13 +284,13 @@ std::vector<glm::uvec3> SceneBuffers::smooth_corners(const compute::ContourTable
     return ordered;
 }
 
-std::optional<compute::SmoothTriangles> SceneBuffers::smooth_triangles() {
+compute::SmoothTriangles SceneBuffers::smooth_triangles() {
     const std::optional<compute::ContourTables> contours = contours_now();
     if (!contours) return {};
     if (!tables_.smooth_corners)
         tables_.smooth_corners =
-            upload(device(), bytes_of(smooth_corners(*contours)), compute::table::smooth_corners);
-    return compute::SmoothTriangles{*tables_.smooth_corners, *contours->corners};
+            compute::upload(device(), smooth_corners(*contours), compute::table::smooth_corners);
+    return {tables_.smooth_corners.get(), contours->corners};
 }
 
 std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {
@@ -313,9 +310,8 @@ std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {
 
 SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop::Sharing& sharing) {
     const auto copy = [&](compute::Buffer& buffer, const compute::TableName& name) {
-        return upload(stages.device(),
-                      bytes_of(compute::read_back<std::byte>(device(), buffer, buffer.size())),
-                      name);
+        return compute::upload(
+            stages.device(), compute::read_back<std::byte>(device(), buffer, buffer.size()), name);
     };
     normals_.find(*stages_, tables_);
     const LineSet contours = download_contours(device(), tables_, triangle_count_);
@@ -334,11 +330,7 @@ SceneBuffers::Tables SceneBuffers::copy_tables(compute::Stages& stages, interop:
                   tables_.cluster_triangles
                       ? copy(*tables_.cluster_triangles, compute::table::cluster_triangles)
                       : nullptr};
-    if (tables_.moving) {
-        Moving made = make_moving(stages, sharing);
-        copied.moving = std::move(made.moving);
-        copied.drawn = std::move(made.drawn);
-    }
+    if (tables_.moving) copied.moving = make_moving(stages, sharing);
     return copied;
 }
 

@@ -56,12 +56,15 @@ class SceneBuffers {
     void forget_jumps(std::span<const glm::mat4> transforms_from, const Camera& camera,
                       float most_pixels, compute::Buffer& ranges);
 
+    /// Current places of vertices, for kernels and for GL, which read them at the same time.
+    struct Moving : MovingTables {
+        interop::SharedTable drawn; ///< the vertices, for GL
+    };
     /// The tables that compute stages read.
     struct Tables : LineTables {
         std::unique_ptr<compute::Buffer> clusters;
         std::unique_ptr<compute::Buffer> cluster_triangles{}; ///< from the first set_positions() on
-        std::unique_ptr<MovingTables> moving{};               ///< of a model that moves; else null
-        std::unique_ptr<interop::SharedTable> drawn{};        ///< vertices of such a model, for GL
+        std::unique_ptr<Moving> moving{};                     ///< of a model that moves; else null
         /// The tables that the kernels of `depth` draw from; null until first asked for.
         std::unique_ptr<compute::Buffer> meshlets{}, vertex_list{}, corners{};
         /// The tables that probes read if they know surfaces; null until first asked for.
@@ -109,7 +112,7 @@ class SceneBuffers {
     /// The colours for kernels (FillArgs::colors); null for a model without colours.
     compute::Buffer* colors();
     /// Triangles that contours may run through, for fills in the light; none without contours.
-    std::optional<compute::SmoothTriangles> smooth_triangles();
+    compute::SmoothTriangles smooth_triangles();
     /// The same for GL.
     std::optional<gl::SmoothTriangles> gl_smooth_triangles();
     gl::SegmentBuffers gl_segments();
@@ -174,15 +177,10 @@ class SceneBuffers {
     /// In the order of gl_triangles().
     std::vector<glm::uvec3> ordered_triangles();
     void upload_colors(const LineSet& lines);
-    /// Current places of vertices, for kernels and for GL, which read them at the same time.
-    struct Moving {
-        std::unique_ptr<MovingTables> moving;
-        std::unique_ptr<interop::SharedTable> drawn;
-    };
     /// Makes the tables of motion; nothing if they exist.
-    std::optional<Moving> make_moving_once() const;
-    void start_moving(std::optional<Moving> made);
-    Moving make_moving(compute::Stages& stages, interop::Sharing& sharing) const;
+    std::unique_ptr<Moving> make_moving_once() const;
+    void start_moving(std::unique_ptr<Moving> made);
+    std::unique_ptr<Moving> make_moving(compute::Stages& stages, interop::Sharing& sharing) const;
     GLuint gl_vertices();
 
     compute::Device& device() const { return stages_->device(); }

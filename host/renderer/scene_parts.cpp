@@ -1,7 +1,6 @@
 // The parts of an assembly among the tables of a scene: each has rooms of its own in all of them.
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include <glm/geometric.hpp>
@@ -13,15 +12,11 @@
 namespace lineatlas {
 namespace {
 
-template <class T>
+template <class Values>
 void upload_at(compute::Device& device, compute::Buffer& buffer, std::size_t first,
-               std::span<const T> values) {
-    if (!values.empty()) device.upload(buffer, std::as_bytes(values), first * sizeof(T));
-}
-template <class T>
-void upload_at(compute::Device& device, compute::Buffer& buffer, std::size_t first,
-               const std::vector<T>& values) {
-    upload_at(device, buffer, first, std::span<const T>{values});
+               const Values& values) {
+    const auto bytes = std::as_bytes(std::span{values});
+    if (!bytes.empty()) device.upload(buffer, bytes, first * sizeof(values[0]));
 }
 
 template <class T>
@@ -68,9 +63,8 @@ void SceneBuffers::follow(const AssemblyState& parts) {
         std::ranges::copy(own.ends, ends.begin() + 2 * rooms.candidates.first);
     }
     LineTables::Chunk& chunk = tables_.chunks.front();
-    chunk.end_offsets =
-        upload(device(), std::as_bytes(std::span{offsets}), compute::table::end_offsets);
-    chunk.ends = upload(device(), std::as_bytes(std::span{ends}), compute::table::ends);
+    chunk.end_offsets = compute::upload(device(), offsets, compute::table::end_offsets);
+    chunk.ends = compute::upload(device(), ends, compute::table::ends);
     start_moving(make_moving(*stages_, *sharing_)); // GL too reads a part's places from the device
 }
 

@@ -1,7 +1,5 @@
 #include "spine_method.hpp"
 
-#include "backdrop.hpp"
-
 #include <glm/gtc/matrix_inverse.hpp>
 
 namespace lineatlas {
@@ -17,13 +15,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
     } else {
         depth_.draw_texture(frame);
     }
-    const bool fills_by_kernels = FillStage::draws(frame, depth_);
-    if (fills_by_kernels) {
-        fill_.color(frame, depth_);
-        fill_.lay(frame);
-    } else {
-        frame.backdrop.draw_fill(frame, frame.options.style.fill, depth_.drawn());
-    }
+    fill_.draw(frame, depth_);
     frame.clock.gl("spine", [&] {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
         spine_pass_.draw(segments,
@@ -36,10 +28,7 @@ FrameStats SpineMethod::draw(Frame& frame) {
                           .tile_count = compute::tiles_for(depth_.size())},
                          depth_.probed_by_gl(frame), frame.stroke_params(frame.options.style.pen));
     });
-    return {.triangles = frame.scene.triangle_count(),
-            .triangles_drawn = depth_.triangles_drawn(),
-            .segments = frame.scene.segment_count(),
-            .stages = frame.clock.take()};
+    return {.triangles_drawn = depth_.triangles_drawn(), .stages = {}};
 }
 
 } // namespace lineatlas

@@ -1,7 +1,6 @@
 #include "stroke_coverage.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "compute/transfer.hpp"
 #include "core/pens.hpp"
@@ -76,8 +75,8 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
         table->compute(); // while GL has nothing to do
 }
 
-void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs,
-                          compute::Buffer& record, float half_width) {
+void StrokeCoverage::list(const Frame& frame, bool hidden, const compute::RunTable& runs,
+                          float half_width) {
     Lists& own = lists(hidden);
     if (own.capacity == 0)
         own.capacity = compute::first_capacity<la_uint>(device_, first_entry_capacity);
@@ -85,7 +84,6 @@ void StrokeCoverage::list(const Frame& frame, bool hidden, compute::Buffer& runs
     own.ends.fit(ends * sizeof(la_uint));
     own.entries.fit(std::uint64_t{own.capacity} * sizeof(la_uint));
     stages_.list_strokes({.runs = runs,
-                          .record = record,
                           .viewport = frame.viewport(),
                           .half_width = half_width,
                           .lists = tables(hidden)});

@@ -3,10 +3,8 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "frame.hpp"
 #include "glpasses/coverage_pass.hpp"
@@ -35,8 +33,7 @@ class StrokeCoverage {
 
     /// Finds where runs lie in the picture. Waits for the device. `half_width`: that of their
     /// widest pen.
-    void list(const Frame& frame, bool hidden, compute::Buffer& runs, compute::Buffer& record,
-              float half_width);
+    void list(const Frame& frame, bool hidden, const compute::RunTable& runs, float half_width);
     /// Enlarges tables that were too small for list(). Returns true if the runs must be listed
     /// again.
     bool grow();

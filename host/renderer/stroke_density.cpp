@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compute/transfer.hpp"
 #include "glpasses/storage.hpp"
 #include "stroke_stage.hpp"
 
@@ -38,13 +39,10 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
         const Style& style = frame.options.style;
         Density limit = style.density;
         if (hidden) limit.limit = style.hidden_density;
-        RunTable& table = made(hidden);
         Thinning& own = thinning(hidden);
         stages_.density({.table = frame.scene.table(),
                          .atlas = input,
-                         .runs = table.runs.compute(),
-                         .record = table.record.compute(),
-                         .run_capacity = table.capacity,
+                         .runs = made(hidden).compute(),
                          .viewport = frame.viewport(),
                          .density = limit,
                          .focus = focus_on_screen(frame),
@@ -58,9 +56,7 @@ void StrokeStage::density(Frame& frame, const compute::SegmentAtlas& input, bool
 
 std::vector<float> StrokeStage::read_density() {
     if (!thinning(false).on) return {};
-    std::vector<float> weights(density_values());
-    device_.download(thinning(false).weights.compute(), std::as_writable_bytes(std::span{weights}));
-    return weights;
+    return compute::read_back<float>(device_, thinning(false).weights.compute(), density_values());
 }
 
 } // namespace lineatlas

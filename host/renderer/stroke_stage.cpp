@@ -4,6 +4,7 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "compute/transfer.hpp"
 #include "frame_forms.hpp"
 
 namespace lineatlas {
@@ -25,18 +26,18 @@ StrokeStage::StrokeStage(const interop::Connection& connection)
     make_table(visible_);
 }
 
-void StrokeStage::make_table(RunTable& table) {
+void StrokeStage::make_table(SharedRuns& table) {
     table.capacity = compute::first_capacity<Run>(device_, first_run_capacity);
     table.runs.fit(std::size_t{table.capacity} * sizeof(Run));
     table.record.fit(sizeof(FrameRecord));
 }
 
-void StrokeStage::read_totals(RunTable& table) {
+void StrokeStage::read_totals(SharedRuns& table) {
     device_.download(table.record.compute(), bytes_of(table.totals));
     use_totals(table);
 }
 
-void StrokeStage::use_totals(RunTable& table) {
+void StrokeStage::use_totals(SharedRuns& table) {
     table.runs.set_size(std::size_t{table.totals.points[0]} * sizeof(Run));
 }
 
@@ -63,8 +64,8 @@ void StrokeStage::prepare(const Frame& frame) {
 }
 
 void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
-                          const compute::SpanTable* spans, bool hidden, compute::Buffer& runs,
-                          std::uint32_t capacity, compute::Buffer& record) {
+                          const compute::SpanTable* spans, bool hidden,
+                          const compute::RunTable& runs) {
     const float half_width = 0.5F * pens_.widest(hidden);
     if (spans != nullptr) {
         return stages_.span_runs({.table = frame.scene.table(),
@@ -73,18 +74,14 @@ void StrokeStage::compact(Frame& frame, const compute::SegmentAtlas& input,
                                   .viewport = frame.viewport(),
                                   .half_width = half_width,
                                   .hidden = hidden,
-                                  .runs = runs,
-                                  .run_capacity = capacity,
-                                  .record = record});
+                                  .runs = runs});
     }
     stages_.compact({.table = frame.scene.table(),
                      .atlas = input,
                      .viewport = frame.viewport(),
                      .half_width = half_width,
                      .hidden = hidden,
-                     .runs = runs,
-                     .run_capacity = capacity,
-                     .record = record});
+                     .runs = runs});
 }
 
 void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
@@ -92,17 +89,11 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     prepare(frame);
     by_spans_ = spans != nullptr;
     const char* stage = by_spans_ ? "spans" : "compact";
-    frame.clock(stage, [&] {
-        if (filters_)
-            compact(frame, input, spans, false, *raw_runs_, raw_capacity_, *raw_record_);
-        else
-            compact(frame, input, spans, false, visible_.runs.compute(), visible_.capacity,
-                    visible_.record.compute());
-    });
+    frame.clock(
+        stage, [&] { compact(frame, input, spans, false, filters_ ? raw() : visible_.compute()); });
     if (has_hidden_) {
         frame.clock(stage, [&] {
-            compact(frame, input, spans, true, hidden_.runs.compute(), hidden_.capacity,
-                    hidden_.record.compute());
+            compact(frame, input, spans, true, hidden_.compute());
             read_totals(hidden_);
         });
         if (thinning(true).on) density(frame, input, true);
@@ -129,11 +120,9 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     use_totals(visible_);
 }
 
-void StrokeStage::carry(Frame& frame, RunTable& table) {
+void StrokeStage::carry(Frame& frame, SharedRuns& table) {
     if (carried_ == nullptr) return;
-    frame.clock("carry", [&] {
-        carried_->apply(table.runs.compute(), table.record.compute(), table.capacity);
-    });
+    frame.clock("carry", [&] { carried_->apply(table.compute()); });
 }
 
 void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
@@ -141,9 +130,7 @@ void StrokeStage::halo(Frame& frame, const compute::SegmentAtlas& input) {
         const Style& style = frame.options.style;
         stages_.halo({.table = frame.scene.table(),
                       .clipped = input.clipped,
-                      .runs = *raw_runs_,
-                      .record = *raw_record_,
-                      .run_capacity = raw_capacity_,
+                      .runs = raw(),
                       .viewport = frame.viewport(),
                       .halo = style.filter.halo,
                       .half_width = 0.5F * pens_.widest(false),
@@ -160,28 +147,20 @@ void StrokeStage::filter(Frame& frame, const compute::SegmentAtlas& input) {
                         .viewport = frame.viewport(),
                         .half_width = 0.5F * pens_.widest(false),
                         .filter = lengths,
-                        .runs = *raw_runs_,
-                        .record = *raw_record_,
+                        .runs = raw(),
                         .cuts = lengths.halo > 0 ? cuts_.get() : nullptr,
-                        .run_capacity = raw_capacity_,
-                        .filtered = visible_.runs.compute(),
-                        .filtered_capacity = visible_.capacity,
-                        .filtered_record = visible_.record.compute()});
+                        .filtered = visible_.compute()});
     });
 }
 
 void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline) {
     frame.clock("pens", [&] {
-        RunTable &runs = made(hidden), &told = penned(hidden);
+        SharedRuns& told = penned(hidden);
         stages_.pens({.table = frame.scene.table(),
                       .segment_pens = pens_.of_segments(frame, hidden),
                       .outline = outline,
-                      .runs = runs.runs.compute(),
-                      .record = runs.record.compute(),
-                      .run_capacity = runs.capacity,
-                      .drawn = told.runs.compute(),
-                      .drawn_capacity = told.capacity,
-                      .drawn_record = told.record.compute()});
+                      .runs = made(hidden).compute(),
+                      .drawn = told.compute()});
         read_totals(told);
     });
 }
@@ -189,9 +168,7 @@ void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTab
 void StrokeStage::list(Frame& frame, bool hidden) {
     if (!coverage_.draws()) return;
     frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
-        RunTable& table = drawn(hidden);
-        coverage_.list(frame, hidden, table.runs.compute(), table.record.compute(),
-                       0.5F * pens_.widest(hidden));
+        coverage_.list(frame, hidden, drawn(hidden).compute(), 0.5F * pens_.widest(hidden));
     });
 }
 
@@ -201,7 +178,7 @@ std::uint32_t StrokeStage::grown_capacity(std::uint32_t needed) const {
     return is_first_ ? needed : compute::capacity_for<Run>(device_, needed);
 }
 
-bool StrokeStage::grow(RunTable& table) {
+bool StrokeStage::grow(SharedRuns& table) {
     if (table.totals.run_total <= table.capacity) return false;
     table.runs.release(); // a larger table may not fit beside it
     table.capacity = grown_capacity(table.totals.run_total);
@@ -294,16 +271,11 @@ void StrokeStage::keep(const Frame& frame, interop::SharedTable& alpha, std::siz
         thinning.drawn_before.resize(density_values());
         device_.download(*thinning.grid, std::as_writable_bytes(std::span{thinning.drawn_before}));
     }
-    const auto read_back = [&](RunTable& table) {
-        std::vector<Run> runs(table.totals.points[0]);
-        device_.download(table.runs.compute(), std::as_writable_bytes(std::span{runs}));
-        return runs;
-    };
     Kept& kept = kept_.emplace_back();
-    kept.visible = read_back(drawn(false));
+    kept.visible = read_runs(drawn(false));
     kept.visible_record = drawn(false).totals;
     if (has_hidden_) {
-        kept.hidden = read_back(drawn(true));
+        kept.hidden = read_runs(drawn(true));
         kept.hidden_record = drawn(true).totals;
     }
     kept.alpha.resize(alpha_bytes);
@@ -311,7 +283,7 @@ void StrokeStage::keep(const Frame& frame, interop::SharedTable& alpha, std::siz
 }
 
 void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha) {
-    RunTable& table = drawn(hidden);
+    SharedRuns& table = drawn(hidden);
     table.totals = hidden ? kept.hidden_record : kept.visible_record;
     table.runs.upload(std::as_bytes(std::span{hidden ? kept.hidden : kept.visible}));
     table.record.upload(bytes_of(table.totals));
@@ -324,7 +296,7 @@ void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedTable& alpha) {
         if (hidden && !has_hidden_) continue;
         Thinning& own = thinning(hidden);
         const auto draw = [&](bool again) {
-            RunTable& table = drawn(hidden);
+            SharedRuns& table = drawn(hidden);
             coverage_.draw(frame, hidden, table.runs.compute(), table.totals.points[0],
                            alpha.compute(), own.on ? &own.weights.compute() : nullptr,
                            has_exact_ends(hidden), again);
@@ -357,7 +329,7 @@ void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha) {
 }
 
 void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, std::uint32_t pen) {
-    RunTable& table = drawn(hidden);
+    SharedRuns& table = drawn(hidden);
     Thinning& own = thinning(hidden);
     sharing_.to_gl({&table.runs, &table.record, &alpha, &own.weights});
     frame.clock.gl(hidden ? "strokes hidden" : "strokes", [&] {
@@ -375,10 +347,8 @@ void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha, bool hidden, s
     });
 }
 
-std::vector<Run> StrokeStage::read_runs() {
-    std::vector<Run> runs(visible_.totals.points[0]);
-    device_.download(visible_.runs.compute(), std::as_writable_bytes(std::span{runs}));
-    return runs;
+std::vector<Run> StrokeStage::read_runs(SharedRuns& table) {
+    return compute::read_back<Run>(device_, table.runs.compute(), table.totals.points[0]);
 }
 
 } // namespace lineatlas

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "compute/stages/carried_coordinates.hpp"
@@ -61,20 +60,22 @@ class StrokeStage {
     std::uint32_t samples_of_frame() const { return kept_samples_ + unkept(sample_total()); }
     std::uint32_t runs_of_frame() const { return kept_runs_ + unkept(visible_.totals.run_total); }
     /// The visible runs of the last frame.
-    std::vector<Run> read_runs();
+    std::vector<Run> read_runs() { return read_runs(visible_); }
     /// The weights that density control gave lines in the last frame; empty without density
     /// control.
     std::vector<float> read_density();
 
   private:
     /// Runs that GL and compute share, and how many there are.
-    struct RunTable {
-        explicit RunTable(interop::Sharing& sharing)
+    struct SharedRuns {
+        explicit SharedRuns(interop::Sharing& sharing)
             : runs(sharing, compute::table::runs), record(sharing, compute::table::records) {}
 
         interop::SharedTable runs, record;
         std::uint32_t capacity = 0;
         FrameRecord totals{};
+
+        compute::RunTable compute() { return {runs.compute(), record.compute(), capacity}; }
     };
 
     /// The strokes of a chunk of the segments.
@@ -114,27 +115,27 @@ class StrokeStage {
     void put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha);
     void prepare(const Frame& frame);
     /// Reads how many runs of the table mean something. Waits for the device.
-    void read_totals(RunTable& table);
+    void read_totals(SharedRuns& table);
     /// After table.totals have come.
-    void use_totals(RunTable& table);
-    void make_table(RunTable& table);
+    void use_totals(SharedRuns& table);
+    void make_table(SharedRuns& table);
+    std::vector<Run> read_runs(SharedRuns& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
-    bool grow(RunTable& table);
+    bool grow(SharedRuns& table);
     void compact(Frame& frame, const compute::SegmentAtlas& input, const compute::SpanTable* spans,
-                 bool hidden, compute::Buffer& runs, std::uint32_t capacity,
-                 compute::Buffer& record);
+                 bool hidden, const compute::RunTable& runs);
     void halo(Frame& frame, const compute::SegmentAtlas& input);
     void filter(Frame& frame, const compute::SegmentAtlas& input);
     void make_room(Thinning& thinning);
     void density(Frame& frame, const compute::SegmentAtlas& input, bool hidden);
-    void carry(Frame& frame, RunTable& table);
+    void carry(Frame& frame, SharedRuns& table);
     void tell_pens(Frame& frame, bool hidden, const compute::OutlineTable* outline);
     /// The runs of visible or hidden lines.
-    RunTable& made(bool hidden) { return hidden ? hidden_ : visible_; }
+    SharedRuns& made(bool hidden) { return hidden ? hidden_ : visible_; }
     /// The runs divided by pens, if there are several pens.
-    RunTable& penned(bool hidden) { return hidden ? penned_hidden_ : penned_; }
+    SharedRuns& penned(bool hidden) { return hidden ? penned_hidden_ : penned_; }
     /// The runs that are drawn.
-    RunTable& drawn(bool hidden) { return pens_.several(hidden) ? penned(hidden) : made(hidden); }
+    SharedRuns& drawn(bool hidden) { return pens_.several(hidden) ? penned(hidden) : made(hidden); }
     /// Whether runs are divided by pens.
     bool tells_pens(bool hidden) const { return pens_.several(hidden) && (!hidden || has_hidden_); }
     /// Whether runs end exactly where visibility does. Some such runs have no samples.
@@ -144,12 +145,13 @@ class StrokeStage {
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Sharing& sharing_;
-    RunTable visible_, hidden_;
-    RunTable penned_, penned_hidden_;
+    SharedRuns visible_, hidden_;
+    SharedRuns penned_, penned_hidden_;
     RunPens pens_;
     compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, by_spans_ = false;
+    compute::RunTable raw() const { return {*raw_runs_, *raw_record_, raw_capacity_}; }
     // The input of `filter`, on the device alone.
     compute::Table raw_runs_{device_, compute::table::raw_runs},
         raw_record_{device_, compute::table::records}, cuts_{device_, compute::table::halo_cuts};

@@ -5,11 +5,6 @@
 #include "glpasses/storage.hpp"
 
 namespace lineatlas {
-namespace {
-
-constexpr std::size_t plane_bytes = 4 * sizeof(float);
-
-} // namespace
 
 SurfaceStage::SurfaceStage(const interop::Connection& connection)
     : stages_(*connection.stages), numbers_(*connection.sharing, compute::table::seen_numbers),
@@ -23,7 +18,7 @@ void SurfaceStage::begin(Frame& frame, glm::ivec2 size) {
     view_ = surface_view(frame.camera);
     numbers_.fit(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                  sizeof(la_uint));
-    if (known_) planes_.fit(std::max(frame.scene.triangle_count(), 1U) * plane_bytes);
+    if (known_) planes_.fit(std::max(frame.scene.triangle_count(), 1U) * sizeof(glm::vec4));
 }
 
 void SurfaceStage::find_planes(Frame& frame, compute::Buffer* seen) {

@@ -1,7 +1,5 @@
 #include "contour_normals.hpp"
 
-#include <span>
-
 #include "core/corner_normals.hpp"
 
 namespace lineatlas {
@@ -14,10 +12,8 @@ void ContourNormals::expect(compute::Stages& stages, const LineTables& lines,
         const CornerPlaces found =
             find_corner_places(download_contours(device, lines, triangle_count).contours,
                                download_segments(device, lines));
-        auto offsets = upload(device, std::as_bytes(std::span{found.offsets}),
-                              compute::table::corner_place_offsets);
-        places_ =
-            upload(device, std::as_bytes(std::span{found.places}), compute::table::corner_places);
+        auto offsets = compute::upload(device, found.offsets, compute::table::corner_place_offsets);
+        places_ = compute::upload(device, found.places, compute::table::corner_places);
         offsets_ = std::move(offsets);
     }
     are_old_ = true;

@@ -32,7 +32,13 @@ std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineV
         [&](std::size_t chunk, const compute::SegmentTable& segments,
             const compute::SpanTable& spans) {
             do {
-                find_chunk(view, segments, spans, wanted.hidden);
+                stages_.span_intervals({.table = segments,
+                                        .clipped = lines_.clipped(),
+                                        .spans = spans,
+                                        .viewport = view.viewport(),
+                                        .hidden_too = wanted.hidden,
+                                        .into = intervals_.room()});
+                intervals_.read_total();
             } while (intervals_.grow());
             const SegmentRange range = lines.tables.chunks[chunk].range;
             if (wanted.outlines != nullptr) {
@@ -45,20 +51,6 @@ std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineV
     std::vector<Interval> found = intervals_.read(lines_.order(), {});
     progress(1);
     return found;
-}
-
-void ExactIntervals::find_chunk(const LineView& view, const compute::SegmentTable& segments,
-                                const compute::SpanTable& spans, bool hidden) {
-    const IntervalTable::Room room = intervals_.room();
-    stages_.span_intervals({.table = segments,
-                            .clipped = lines_.clipped(),
-                            .spans = spans,
-                            .viewport = view.viewport(),
-                            .hidden_too = hidden,
-                            .intervals = room.intervals,
-                            .interval_capacity = room.capacity,
-                            .interval_total = room.total});
-    intervals_.read_total();
 }
 
 } // namespace lineatlas

@@ -49,9 +49,6 @@ class ExactIntervals {
                                const ProgressPart& progress);
 
   private:
-    void find_chunk(const LineView& view, const compute::SegmentTable& segments,
-                    const compute::SpanTable& spans, bool hidden);
-
     compute::Stages& stages_;
     ExactLines lines_;
     IntervalTable intervals_;

@@ -1,10 +1,6 @@
 #include "exact_lines.hpp"
 
-#include <optional>
-
 #include <glm/gtc/matrix_inverse.hpp>
-
-#include "compute/stages/table_room.hpp"
 
 namespace lineatlas {
 
@@ -47,19 +43,13 @@ compute::TracedSilhouettes ExactLines::trace(const LineView& view) {
          .outside = sees_from_outside(view.camera, view.bounds)});
 }
 
-void ExactLines::begin(const LineView& view, const compute::SegmentTable& table,
-                       std::size_t chunk) {
-    if (chunk > 0) return visibility_.go_on(table);
-    visibility_.begin(table, view.camera, view.bounds, view.contact);
-}
-
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
                               const compute::SegmentTable& table) {
     const glm::mat4 clip_from_world = view.camera.clip_from_world();
-    std::optional<compute::BatchTable> batches;
+    compute::BatchTable batches;
     if (batches_.has_segments(candidates)) {
-        batches.emplace(batches_.table());
-        visibility_.find_batches(clipped(), *batches, !view.measured);
+        batches = batches_.table();
+        visibility_.find_batches(batches, !view.measured);
     }
     stages_.project_clip({.table = table,
                           .front = chains_.front(),
@@ -70,7 +60,7 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
                           .kind_mask = view.lines,
                           .occlusion = nullptr,
                           .out = {*clipped_, visibility_.counts(), *arcs_},
-                          .batches = batches ? &*batches : nullptr,
+                          .batches = batches,
                           .centre_overhang = view.centre_overhang});
 }
 

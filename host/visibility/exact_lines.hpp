@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 
 #include "compute/stages/exact_visibility.hpp"
 #include "compute/stages/silhouette_chains.hpp"
@@ -65,15 +64,19 @@ class ExactLines {
             const compute::SegmentTable segments = chains_.table_of(
                 candidates, wanted, compute::silhouette_view(view.camera, view.bounds), clock);
             make_room(segments.segment_count);
-            begin(view, segments, chunk);
-            if (chunk == 0) clock("surfaces", [&] { visibility_.surfaces(clipped()); });
+            if (chunk == 0) {
+                visibility_.begin(segments, view.camera, view.bounds, view.contact);
+                clock("surfaces", [&] { visibility_.surfaces(); });
+            } else {
+                visibility_.go_on(segments);
+            }
             clock("project_clip", [&] { project_clip(view, candidates, segments); });
             clock("scan",
                   [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
             // Later chunks use the lists of tiles of the first one.
             bool by_lists = chunk > 0, again = true;
             while (again) {
-                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(clipped()); });
+                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(); });
                 clock("visible", [&] {
                     visibility_.visible(clipped());
                     again = visibility_.grow(clipped());
@@ -93,10 +96,8 @@ class ExactLines {
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
 
   private:
-    using TracedSilhouettes = compute::TracedSilhouettes;
-    static TracedSilhouettes trace(const LineView& view);
+    static compute::TracedSilhouettes trace(const LineView& view);
     void make_room(std::uint32_t segments);
-    void begin(const LineView& view, const compute::SegmentTable& table, std::size_t chunk);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,
                       const compute::SegmentTable& table);
 

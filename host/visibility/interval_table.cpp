@@ -13,7 +13,7 @@ void IntervalTable::begin_frame(bool kept) {
     of_chunks_.clear();
 }
 
-IntervalTable::Room IntervalTable::room() {
+compute::IntervalRoom IntervalTable::room() {
     total_buffer_.fit(sizeof(std::uint32_t));
     table_.fit(std::uint64_t{capacity_} * sizeof(Interval));
     return {*table_, capacity_, *total_buffer_};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "compute/stages/stages.hpp"
@@ -16,14 +15,9 @@ class IntervalTable {
     /// Call before the first room() of a frame. `kept`: whether the frame has intervals at all.
     void begin_frame(bool kept);
     bool kept() const { return kept_; }
-    /// The table that a stage writes to.
-    struct Room {
-        compute::Buffer& intervals;
-        std::uint32_t capacity;
-        compute::Buffer& total;
-    };
+
     /// Room for as many intervals as the table has grown to.
-    Room room();
+    compute::IntervalRoom room();
     /// Waits for the number of intervals that were found in room().
     void read_total();
     /// Enlarges the table if the intervals exceed it. Returns true if they must be found again.

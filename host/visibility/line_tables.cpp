@@ -59,22 +59,22 @@ void add_candidates(compute::Device& device, std::span<const Segment> segments,
     std::uint32_t last = 0;
     for (const Segment& edge : edges) last = std::max({last, edge.p, edge.q});
     const EdgeEnds found = ends_by_vertex(edges, std::size_t{last} + 2);
-    chunk.end_offsets =
-        upload(device, std::as_bytes(std::span{found.offsets}), compute::table::end_offsets);
-    chunk.ends = upload(device, std::as_bytes(std::span{found.ends}), compute::table::ends);
+    chunk.end_offsets = compute::upload(device, found.offsets, compute::table::end_offsets);
+    chunk.ends = compute::upload(device, found.ends, compute::table::ends);
 }
 
 void add_contours(compute::Device& device, const LineSet& lines, std::span<const Segment> segments,
                   LineTables::Chunk& chunk) {
     const Contours& contours = lines.contours;
-    const auto to_device = [&](const auto& values, const compute::TableName& name) {
-        return upload(device, std::as_bytes(std::span{values}), name);
-    };
-    chunk.corners = to_device(contours.corners, compute::table::contour_corners);
-    chunk.edges = to_device(contour_edges(contours, segments), compute::table::contour_edges);
-    chunk.face_corners = to_device(contour_corners(contours), compute::table::contour_face_corners);
-    chunk.faces = to_device(contour_faces(contours), compute::table::contour_faces);
-    chunk.patches = to_device(contour_patches(lines, segments), compute::table::contour_patches);
+
+    chunk.corners = compute::upload(device, contours.corners, compute::table::contour_corners);
+    chunk.edges =
+        compute::upload(device, contour_edges(contours, segments), compute::table::contour_edges);
+    chunk.face_corners =
+        compute::upload(device, contour_corners(contours), compute::table::contour_face_corners);
+    chunk.faces = compute::upload(device, contour_faces(contours), compute::table::contour_faces);
+    chunk.patches =
+        compute::upload(device, contour_patches(lines, segments), compute::table::contour_patches);
     chunk.replaced = contours.replaced;
     chunk.vertex_count = static_cast<std::uint32_t>(lines.vertices.size());
 }
@@ -210,13 +210,6 @@ std::uint32_t LineTables::most_fixed_segments() const {
     return most;
 }
 
-std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
-                                        const compute::TableName& name) {
-    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, data.size(), name);
-    device.upload(*buffer, data);
-    return buffer;
-}
-
 std::vector<LineTables::Chunk>
 upload_segments(compute::Device& device, std::span<const Segment> segments, const LineSet* lines) {
     // The widest table per segment decides. If it must be cut, the strokes and intervals of a chunk
@@ -236,8 +229,7 @@ upload_segments(compute::Device& device, std::span<const Segment> segments, cons
     for (const SegmentRange& range : ranges) {
         const std::span<const Segment> part = segments.subspan(range.first, range.count);
         const bool is_last = range.first + range.count == segments.size();
-        chunks.push_back(
-            {range, upload(device, std::as_bytes(part), compute::table::line_segments)});
+        chunks.push_back({range, compute::upload(device, part, compute::table::line_segments)});
         add_candidates(device, part, has_contours && is_last ? &lines->contours : nullptr,
                        chunks.back());
     }
@@ -283,10 +275,9 @@ std::vector<Segment> download_segments(compute::Device& device, const LineTables
 
 LineTables upload_lines(compute::Device& device, const LineSet& lines) {
     check_counts({lines.vertices.size(), lines.triangles.size(), lines.segments.size()});
-    LineTables result{.vertices = upload(device, std::as_bytes(std::span{lines.vertices}),
-                                         compute::table::vertices),
-                      .triangles = upload(device, std::as_bytes(std::span{lines.triangles}),
-                                          compute::table::triangles),
+    LineTables result{.vertices = compute::upload(device, lines.vertices, compute::table::vertices),
+                      .triangles =
+                          compute::upload(device, lines.triangles, compute::table::triangles),
                       .chunks = upload_segments(device, lines.segments, &lines)};
     if (!lines.contours.surfaces.empty() && result.contour_chunk().contours())
         result.tracer = std::make_shared<ContourTracer>(lines);

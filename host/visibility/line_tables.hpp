@@ -53,9 +53,6 @@ struct LineTables {
     const Chunk& contour_chunk() const { return chunks.back(); }
 };
 
-/// A buffer of the device with this content.
-std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const std::byte> data,
-                                        const compute::TableName& name);
 /// Uploads segments in chunks. `lines`: the line set of the segments, whose contours are uploaded
 /// too; of its vertices and triangles only the numbers matter. If it is null, or the device has no
 /// room for contours, silhouettes run along edges.

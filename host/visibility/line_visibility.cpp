@@ -5,9 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/device_trial.hpp"
@@ -49,6 +46,8 @@ void find_trial_lines(const DeviceOptions& options) {
 } // namespace
 
 class LineVisibility::State {
+    friend class LineVisibility;
+
     void check_ready(const Camera& camera) const {
         if (!tables_) throw UsageError("visibility: there are no lines; set_lines() has failed");
         check_camera(camera);
@@ -83,8 +82,6 @@ class LineVisibility::State {
   public:
     explicit State(const DeviceOptions& options) : State(compute::find_device(options), options) {}
 
-    std::string description() const { return device_->description(); }
-
     void set_lines(const LineSet& lines) {
         check_lines(lines);
         tables_.reset();
@@ -95,25 +92,7 @@ class LineVisibility::State {
         tables_ = upload_lines(*device_, lines);
         motion_.emplace(lines);
         triangle_count_ = static_cast<std::uint32_t>(lines.triangles.size());
-        objects_ = lines.objects;
         contact_ = contact_of(lines);
-    }
-
-    void set_transforms(std::span<const glm::mat4> world_from_object) {
-        motion().set_transforms(world_from_object);
-        moved_ = true;
-    }
-
-    void set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-        motion().set_positions(first, positions);
-        device_->upload(*tables_->vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
-        normals_.expect(stages_, *tables_, triangle_count_);
-        moved_ = true;
-    }
-
-    void set_hidden(std::span<const std::uint32_t> objects) {
-        motion().set_hidden(objects);
-        moved_ = true;
     }
 
     std::vector<Interval> find(const Camera& camera, const VisibilityOptions& options,
@@ -138,12 +117,10 @@ class LineVisibility::State {
         check_pick(position, radius);
         return work([&](ExactIntervals& found, const PlacedLines& lines) {
             const StandardCamera standard = standard_camera(camera, motion_->bounds());
-            return lineatlas::pick(found, *device_, lines, objects_,
+            return lineatlas::pick(found, *device_, lines, motion_->objects(),
                                    view_by(standard, kinds, finest_step, 0), position, radius);
         });
     }
-
-    const std::vector<OutlinePart>& outlines() const { return outlines_; }
 
   private:
     SceneMotion& motion() {
@@ -189,7 +166,6 @@ class LineVisibility::State {
     ContourNormals normals_;
     bool moved_ = false; ///< since place()
     std::uint32_t triangle_count_ = 0;
-    std::vector<LineObject> objects_;
     float contact_ = 0;
     std::vector<OutlinePart> outlines_;  ///< of the last find()
     std::optional<ExactIntervals> work_; ///< for the lines; made when they are first looked at
@@ -205,7 +181,7 @@ LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 std::string LineVisibility::description() const {
-    return state_->description();
+    return state_->device_->description();
 }
 
 void LineVisibility::set_lines(const LineSet& lines) {
@@ -217,19 +193,25 @@ void LineVisibility::set_lines(const Assembly& parts) {
 }
 
 void LineVisibility::set_transforms(std::span<const glm::mat4> world_from_object) {
-    state_->set_transforms(world_from_object);
+    state_->motion().set_transforms(world_from_object);
+    state_->moved_ = true;
 }
 
 void LineVisibility::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-    state_->set_positions(first, positions);
+    state_->motion().set_positions(first, positions);
+    const LineTables& tables = *state_->tables_;
+    state_->device_->upload(*tables.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
+    state_->normals_.expect(state_->stages_, tables, state_->triangle_count_);
+    state_->moved_ = true;
 }
 
 void LineVisibility::set_hidden(std::span<const std::uint32_t> objects) {
-    state_->set_hidden(objects);
+    state_->motion().set_hidden(objects);
+    state_->moved_ = true;
 }
 
 const std::vector<OutlinePart>& LineVisibility::outlines() const {
-    return state_->outlines();
+    return state_->outlines_;
 }
 
 std::vector<Interval> LineVisibility::find(const Camera& camera, const VisibilityOptions& options,

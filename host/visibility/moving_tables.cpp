@@ -19,14 +19,6 @@ void add_rows(std::vector<float>& rows, const Matrix& matrix) {
         for (int column = 0; column < columns; ++column) rows.push_back(matrix[column][row]);
 }
 
-template <class T>
-std::unique_ptr<compute::Buffer> upload(compute::Device& device, std::span<const T> values,
-                                        const compute::TableName& name) {
-    std::unique_ptr<compute::Buffer> buffer = compute::allocate(device, values.size_bytes(), name);
-    device.upload(*buffer, std::as_bytes(values));
-    return buffer;
-}
-
 std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) {
     std::vector<std::uint32_t> result(shape.vertex_count);
     for (std::size_t i = 0; i < shape.objects.size(); ++i) {
@@ -43,8 +35,9 @@ MovingTables::MovingTables(compute::Stages& stages, const Shape& shape)
     : stages_(stages), device_(stages.device()), vertex_count_(shape.vertex_count),
       cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
       corner_count_(shape.corner_count),
-      objects_(upload<std::uint32_t>(device_, object_of_vertices(shape), compute::table::objects)),
-      cluster_objects_(upload(device_, shape.cluster_objects, compute::table::cluster_objects)),
+      objects_(compute::upload(device_, object_of_vertices(shape), compute::table::objects)),
+      cluster_objects_(
+          compute::upload(device_, shape.cluster_objects, compute::table::cluster_objects)),
       matrices_(compute::allocate(device_, shape.object_room * matrix_floats * sizeof(float),
                                   compute::table::matrices)),
       jumped_(compute::allocate(device_, shape.object_room, compute::table::jumped)),

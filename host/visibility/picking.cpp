@@ -63,13 +63,6 @@ glm::vec3 world_of(const Interval& interval, float along, const glm::mat4& clip_
     return p + (q - p) * share;
 }
 
-template <class T>
-std::vector<T> read_all(compute::Device& device, compute::Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    if (count > 0) device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
-
 Segment segment_at(compute::Device& device, const LineTables& tables, std::uint32_t segment) {
     const auto after = std::ranges::upper_bound(
         tables.chunks, segment, {}, [](const auto& chunk) { return chunk.range.first; });
@@ -146,9 +139,9 @@ std::optional<Pick> pick(ExactIntervals& found, compute::Device& device, const P
         position.x >= 0 && position.y >= 0 && position.x <= size.x && position.y <= size.y;
     const std::optional<Ray> ray = inside ? ray_through(view.camera, position) : std::nullopt;
     if (!ray) return {};
-    const auto vertices = read_all<glm::vec3>(device, lines.vertices, lines.vertex_count);
+    const auto vertices = compute::read_back<glm::vec3>(device, lines.vertices, lines.vertex_count);
     const auto triangles =
-        read_all<glm::uvec3>(device, *lines.tables.triangles, lines.triangle_count);
+        compute::read_back<glm::uvec3>(device, *lines.tables.triangles, lines.triangle_count);
     const std::optional<RayHit> hit = first_hit(*ray, vertices, triangles);
     if (!hit) return {};
     return Pick{.triangle = hit->triangle,

@@ -56,7 +56,7 @@ class BatchesTest : public StageTest {
         const auto arcs = put(std::vector<std::uint32_t>(n, 77));
         const auto boxes = put(std::vector<compute::Batch>(n / LA_BATCH + 1));
         const auto states = put(std::vector<std::uint8_t>(n / LA_BATCH + 1, 77));
-        const compute::BatchTable batches{*boxes, *states, n};
+        const compute::BatchTable batches{boxes.get(), states.get(), n};
         const compute::SegmentTable table{*vertices, *triangles, *segments, 1, n};
         const compute::OcclusionTest occlusion{
             .tiles = *pyramid, .tile_count = tile_count, .depth_scale = 1, .tolerance = 0};
@@ -69,15 +69,16 @@ class BatchesTest : public StageTest {
                                             .kind_mask = all_line_kinds,
                                             .occlusion = &occlusion,
                                             .out = {*clipped, *counts, *arcs},
-                                            .batches = by_batches ? &batches : nullptr};
+                                            .batches =
+                                                by_batches ? batches : compute::BatchTable{}};
         if (by_batches) {
-            stages().launch<compute::kernels::project_clip_boxes>(batches.batches(), {n}, table,
-                                                                  compute::BatchBoxes{*boxes});
+            stages().launch<compute::kernels::project_clip_boxes>(batches.batch_count(), {n}, table,
+                                                                  batches);
             stages().project_clip_batches(args, drops_hidden);
         }
         stages().project_clip(args);
         return {get<std::uint32_t>(*counts, n), get<std::uint32_t>(*arcs, n),
-                get<std::uint8_t>(*states, batches.batches())};
+                get<std::uint8_t>(*states, batches.batch_count())};
     }
     /// Tiles that hide everything left of a tile.
     static std::vector<float> open_from(int tile) {
@@ -146,7 +147,7 @@ TEST_P(BatchesTest, BoxesAreMadeWhereTheModelStandsStill) {
     EXPECT_TRUE(batches.has_segments(table));
     batches.forget();
     EXPECT_FALSE(batches.has_segments(table));
-    const auto box = get<compute::Batch>(batches.table().boxes, 1)[0];
+    const auto box = get<compute::Batch>(*batches.table().batches, 1)[0];
     EXPECT_NEAR(box.low[0], -0.8, 1e-6);
     EXPECT_NEAR(box.high[0], -0.16, 1e-6);
 }

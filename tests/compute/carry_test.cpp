@@ -85,7 +85,7 @@ class CarryStage : public StageTest {
                                                           .run_total = frame.count(),
                                                           .raw_run_total = 0,
                                                           .unused = 0}});
-        carried_.apply(*on_device, *record, frame.count());
+        carried_.apply({*on_device, *record, frame.count()});
         runs = get<lineatlas::Run>(*on_device, frame.count());
         EXPECT_EQ(runs[0].start_arc, 100);
         EXPECT_EQ(runs[0].end_arc, 200);

@@ -28,9 +28,7 @@ class CompactStage : public StageTest {
                           .viewport = glm::vec2{hand_size},
                           .half_width = options.half_width,
                           .hidden = options.hidden,
-                          .runs = *runs,
-                          .run_capacity = options.run_capacity,
-                          .record = *record});
+                          .runs = {*runs, *record, options.run_capacity}});
         record_ = get<FrameRecord>(*record, 1)[0];
         EXPECT_EQ(record_.sample_total, frame.samples());
         return get<lineatlas::Run>(*runs, record_.points[0]);

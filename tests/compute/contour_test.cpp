@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -56,14 +57,14 @@ class ContourTest : public StageTest {
                                             .vertex_count = own_vertices};
         const compute::SilhouetteCandidates candidates{
             .first = 0, .count = 1 + faces, .contours = tables};
-        const auto numbers = put(std::vector<std::uint32_t>(faces + 2, 0));
-        stages().contour({.contours = tables,
-                          .vertices = *vertices,
-                          .eye = eye,
-                          .first_number = candidates.kept_edges(),
-                          .numbers = *numbers});
+        const std::vector<std::uint32_t> nothing(faces + 2, 0);
+        const compute::SegmentTable table{*vertices, *triangles, *vertices,
+                                          faces,     1 + faces,  candidates};
+        compute::ChainTables made{&device()};
+        made.numbers.upload(std::span{nothing});
+        stages().contour(table, eye, made);
         FoundContour found;
-        const auto flags = get<std::uint32_t>(*numbers, 1 + faces);
+        const auto flags = get<std::uint32_t>(*made.numbers, 1 + faces);
         found.is_crossed.assign(flags.begin() + 1, flags.end());
         std::vector<std::uint32_t> scanned{0}, chosen;
         for (std::uint32_t c = 0; c <= faces; ++c) {
@@ -72,18 +73,13 @@ class ContourTest : public StageTest {
         }
         const auto count = static_cast<std::uint32_t>(chosen.size());
         if (count == 0) return found;
-        const auto scanned_numbers = put(scanned), list = put(chosen);
-        const auto crossings = device().allocate(count * sizeof(compute::ContourCrossing));
+        made.numbers.upload(std::span{std::as_const(scanned)});
+        made.chosen.upload(std::span{std::as_const(chosen)});
+        made.crossings.fit(count * sizeof(compute::ContourCrossing));
         stages().contour_places(
-            {.table = {*vertices, *triangles, *vertices, faces, 1 + faces, candidates},
-             .eye = eye,
-             .front = *front,
-             .numbers = *scanned_numbers,
-             .chosen = *list,
-             .count = count,
-             .on_surface = false,
-             .crossings = *crossings});
-        found.crossings = get<compute::ContourCrossing>(*crossings, count);
+            {.table = table, .view = {eye, true}, .lifted = true, .count = count, .tables = made},
+            *front);
+        found.crossings = get<compute::ContourCrossing>(*made.crossings, count);
         const auto all = get<glm::vec3>(*vertices, room.size());
         found.vertices.assign(all.begin() + own_vertices, all.end());
         return found;

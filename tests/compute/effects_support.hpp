@@ -74,9 +74,7 @@ class Effects {
                             .atlas = atlas(),
                             .viewport = glm::vec2{size},
                             .half_width = half_width,
-                            .runs = *runs_,
-                            .run_capacity = run_capacity,
-                            .record = *record_});
+                            .runs = {*runs_, *record_, run_capacity}});
     }
 
     std::vector<Run> runs() {
@@ -88,9 +86,7 @@ class Effects {
         const auto cuts = on_.device->allocate(run_capacity * sizeof(RunCuts));
         on_.stages.halo({.table = table(),
                          .clipped = {*clipped_, *offsets_, *arcs_},
-                         .runs = *runs_,
-                         .record = *record_,
-                         .run_capacity = run_capacity,
+                         .runs = {*runs_, *record_, run_capacity},
                          .viewport = glm::vec2{size},
                          .halo = halo,
                          .half_width = half_width,
@@ -107,13 +103,9 @@ class Effects {
                            .viewport = glm::vec2{size},
                            .half_width = half_width,
                            .filter = filter,
-                           .runs = *runs_,
-                           .record = *record_,
+                           .runs = {*runs_, *record_, run_capacity},
                            .cuts = nullptr,
-                           .run_capacity = run_capacity,
-                           .filtered = *filtered,
-                           .filtered_capacity = run_capacity,
-                           .filtered_record = *record});
+                           .filtered = {*filtered, *record, run_capacity}});
         return read_back<Run>(*on_.device, *filtered,
                               read_back<FrameRecord>(*on_.device, *record, 1)[0].points[0]);
     }
@@ -126,9 +118,7 @@ class Effects {
         const auto grid = on_.device->allocate(count * sizeof(std::uint32_t));
         on_.stages.density({.table = table(),
                             .atlas = atlas(),
-                            .runs = *runs_,
-                            .record = *record_,
-                            .run_capacity = run_capacity,
+                            .runs = {*runs_, *record_, run_capacity},
                             .viewport = glm::vec2{size},
                             .density = {.limit = limit, .priority = {0.2F, 0.4F, 0.6F, 0.8F, 1}},
                             .focus = focus,

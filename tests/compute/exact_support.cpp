@@ -50,11 +50,11 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                          .occlusion = nullptr,
                          .out = {*clipped, exact.counts(), *arcs}});
     stages.scan(*arcs, n, compute::ScanKind::wrap);
-    exact.surfaces(no_samples);
+    exact.surfaces();
     ExactResult result;
     do {
         ++result.looks;
-        exact.tile_lists(no_samples);
+        exact.tile_lists();
         exact.visible(no_samples);
     } while (exact.grow(no_samples));
 
@@ -73,9 +73,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                            .spans = spans,
                            .viewport = glm::vec2{camera.size},
                            .hidden_too = true,
-                           .intervals = *intervals,
-                           .interval_capacity = capacity,
-                           .interval_total = *total});
+                           .into = {*intervals, capacity, *total}});
     result.intervals =
         read_back<Interval>(*device, *intervals, read_back<la_uint>(*device, *total, 1)[0]);
     const auto runs = device->allocate(capacity * sizeof(Run));
@@ -86,9 +84,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
                       .viewport = glm::vec2{camera.size},
                       .half_width = 1,
                       .hidden = false,
-                      .runs = *runs,
-                      .run_capacity = capacity,
-                      .record = *record});
+                      .runs = {*runs, *record, capacity}});
     result.runs =
         read_back<Run>(*device, *runs, read_back<FrameRecord>(*device, *record, 1)[0].points[0]);
     return result;

@@ -78,7 +78,7 @@ class FillStage : public StageTest {
                        .vertices = *vertices,
                        .seen = *seen,
                        .colors = colors.empty() ? nullptr : color_table.get(),
-                       .smooth = compute::SmoothTriangles{*smooth_table, *normal_table},
+                       .smooth = {smooth_table.get(), normal_table.get()},
                        .fill = fill,
                        .clip_from_world = model.camera.clip_from_world(),
                        .first_texel = texels.first,

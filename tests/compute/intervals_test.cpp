@@ -41,9 +41,7 @@ class IntervalsStage : public StageTest {
                             .viewport = glm::vec2{hand_size},
                             .depth = {*depth, hand_size, 1, 1e-4F},
                             .hidden_too = scene.hidden_too,
-                            .intervals = *table,
-                            .interval_capacity = scene.capacity,
-                            .interval_total = *total});
+                            .into = {*table, scene.capacity, *total}});
         total_ = get<std::uint32_t>(*total, 1)[0];
         return get<Interval>(*table, total_ <= scene.capacity ? total_ : 0);
     }

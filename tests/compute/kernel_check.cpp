@@ -84,7 +84,7 @@ void append_carried(std::vector<std::byte>& result, compute::Stages& stages,
     compute::CarriedCoordinates carried{stages};
     for (int frame = 0; frame < 2; ++frame)
         carried.find(table, first, {*clipped, *offsets, *arcs}, glm::vec2{camera.size}, 0.4F);
-    carried.apply(*on_device, *totals, count);
+    carried.apply({*on_device, *totals, count});
     append(result, read_back<Run>(device, *on_device, count));
 }
 

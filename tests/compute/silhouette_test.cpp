@@ -7,6 +7,10 @@ namespace {
 
 LINEATLAS_STAGE_TEST(SilhouetteStage);
 
+void upload(compute::Table& table, const std::vector<std::uint32_t>& values) {
+    table.upload(std::span{values});
+}
+
 TEST_P(SilhouetteStage, NumbersWhatHasOneFaceInFront) {
     constexpr std::uint32_t flipped = LA_FACE_FLIPPED;
     const auto segment = [](std::uint32_t a, std::uint32_t b) {
@@ -24,28 +28,25 @@ TEST_P(SilhouetteStage, NumbersWhatHasOneFaceInFront) {
         segment(0, 1), segment(0, 1), segment(0, 2), segment(0, 1), segment(2, 3), segment(1, 0),
         segment(0, 2 | flipped), segment(0, 1 | flipped), segment(3, 1)});
     const auto front = put(std::vector<std::uint8_t>{1, 0, 1, 0});
-    const auto numbers = device().allocate(8 * sizeof(std::uint32_t));
+    compute::ChainTables tables{&device()};
+    tables.numbers.fit(8 * sizeof(std::uint32_t));
     const auto ends = device().allocate(16);
-    stages().silhouette(
-        {.table = {*segments, *segments, *segments, 4, 9, {2, 7, ends.get(), ends.get()}},
-         .front = *front,
-         .numbers = *numbers});
-    EXPECT_TRUE(equal(get<std::uint32_t>(*numbers, 8), {0, 0, 1, 2, 3, 4, 4, 4}));
+    stages().silhouette({*segments, *segments, *segments, 4, 9, {2, 7, ends.get(), ends.get()}},
+                        *front, tables);
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.numbers, 8), {0, 0, 1, 2, 3, 4, 4, 4}));
 }
 
 TEST_P(SilhouetteStage, ListsThem) {
     // Seven candidates: three edges, two that contours stand for, two contours.
     compute::SilhouetteCandidates candidates{.first = 9, .count = 7};
     candidates.contours = compute::ContourTables{.face_count = 2, .replaced = 2};
-    const auto numbers = put(std::vector<std::uint32_t>{0, 1, 1, 2, 2, 3});
-    const auto chosen = put(std::vector<std::uint32_t>(4, 99));
-    const auto positions = put(std::vector<std::uint32_t>(7, 99));
-    stages().silhouette_list({.candidates = candidates,
-                              .numbers = *numbers,
-                              .chosen = *chosen,
-                              .positions = *positions});
-    EXPECT_TRUE(equal(get<std::uint32_t>(*chosen, 4), {0, 2, 6, 99}));
-    EXPECT_TRUE(equal(get<std::uint32_t>(*positions, 7), {0, 0, 0, 99, 99, 0, 0}));
+    compute::ChainTables tables{&device()};
+    upload(tables.numbers, {0, 1, 1, 2, 2, 3});
+    upload(tables.chosen, std::vector<std::uint32_t>(4, 99));
+    upload(tables.positions, std::vector<std::uint32_t>(7, 99));
+    stages().silhouette_list(candidates, tables);
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 4), {0, 2, 6, 99}));
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.positions, 7), {0, 0, 0, 99, 99, 0, 0}));
 }
 
 } // namespace

@@ -73,7 +73,8 @@ class Drawing {
             device().allocate(compute::stroke_ends(device().tuning(), viewport) * sizeof(la_uint));
         const auto entries = device().allocate(capacity * sizeof(la_uint));
         const compute::StrokeLists lists{*ends, *entries, capacity};
-        stages_.list_strokes({*run_table, *records, viewport, 0.5F * how_.width, lists});
+        stages_.list_strokes(
+            {{*run_table, *records, record.points[0]}, viewport, 0.5F * how_.width, lists});
         const auto mark = to_device(device(), how_.mark.empty() ? std::vector{0.0F} : how_.mark);
         stages_.draw_strokes({.runs = *run_table,
                               .run_count = record.points[0],

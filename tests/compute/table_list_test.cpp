@@ -57,14 +57,5 @@ TEST_F(TableMemories, GoWithATableThatMoves) {
     EXPECT_EQ(bytes("a"), 0U);
 }
 
-TEST_F(TableMemories, BelongToTheNamesOfAStagesTables) {
-    enum class Name { x, y, count };
-    constexpr static TableName names[]{{"x", first}, {"y", second}};
-    GrowingTables<Name> tables{*device_, names};
-    tables.fit(Name::y, 70);
-    EXPECT_EQ(bytes("y"), 70U);
-    EXPECT_EQ(bytes("x"), 0U);
-}
-
 } // namespace
 } // namespace lineatlas::compute

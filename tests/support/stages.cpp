@@ -87,8 +87,8 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
     const glm::mat4 clip_from_world = camera.clip_from_world();
     stages_.facing({.table = table(), .eye = camera.eye(), .front = *front_});
     state.front = read_back<std::uint8_t>(*device_, *front_, triangle_count_);
-    std::optional<compute::BatchTable> batches;
-    if (batches_.has_segments(table())) batches.emplace(batches_.table());
+    compute::BatchTable batches;
+    if (batches_.has_segments(table())) batches = batches_.table();
     const compute::ProjectClipArgs args{.table = table(),
                                         .front = *front_,
                                         .clip_from_world = clip_from_world,
@@ -99,9 +99,9 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
                                         .kind_mask = all_line_kinds,
                                         .occlusion = cull_hidden ? &occlusion : nullptr,
                                         .out = {*clipped_, *offsets_, *arcs_},
-                                        .batches = batches ? &*batches : nullptr};
+                                        .batches = batches};
     constexpr bool drops_hidden = false; // tests look at the lengths of hidden segments
-    if (batches) stages_.project_clip_batches(args, drops_hidden);
+    if (batches.count > 0) stages_.project_clip_batches(args, drops_hidden);
     stages_.project_clip(args);
     state.counts = read_back<std::uint32_t>(*device_, *offsets_, n_);
     state.lengths = read_back<std::uint32_t>(*device_, *arcs_, n_);
@@ -205,9 +205,7 @@ void FrameStages::compact(const Camera& camera, FrameState& state) {
                      .atlas = atlas_of(*alpha, capacity_of(state)),
                      .viewport = glm::vec2{camera.size},
                      .half_width = settings_.half_width,
-                     .runs = *runs,
-                     .run_capacity = settings_.run_capacity,
-                     .record = *record});
+                     .runs = {*runs, *record, settings_.run_capacity}});
     state.record = read_back<FrameRecord>(*device_, *record, 1)[0];
     state.runs = read_back<Run>(*device_, *runs, state.record.points[0]);
 }
@@ -227,9 +225,7 @@ void FrameStages::intervals(const Camera& camera, const std::vector<float>& dept
          .viewport = glm::vec2{camera.size},
          .depth = depth_of(*depth_buffer, camera.size * settings_.depth_scale, camera),
          .hidden_too = hidden_too,
-         .intervals = *table,
-         .interval_capacity = settings_.run_capacity,
-         .interval_total = *total});
+         .into = {*table, settings_.run_capacity, *total}});
     const std::uint32_t count = read_back<std::uint32_t>(*device_, *total, 1)[0];
     state.intervals = read_back<Interval>(*device_, *table, count);
 }
@@ -241,9 +237,7 @@ void FrameStages::halo(const Camera& camera, FrameState& state) {
     const auto cuts = device_->allocate(state.runs.size() * sizeof(RunCuts));
     stages_.halo({.table = table(),
                   .clipped = {*clipped_, *offsets_, *arcs_},
-                  .runs = *runs,
-                  .record = *record,
-                  .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
+                  .runs = {*runs, *record, static_cast<std::uint32_t>(state.runs.size())},
                   .viewport = glm::vec2{camera.size},
                   .halo = settings_.filter.halo,
                   .half_width = settings_.half_width,
@@ -268,13 +262,9 @@ void FrameStages::filter(const Camera& camera, FrameState& state) {
                     .viewport = glm::vec2{camera.size},
                     .half_width = settings_.half_width,
                     .filter = settings_.filter,
-                    .runs = *runs,
-                    .record = *record,
+                    .runs = {*runs, *record, static_cast<std::uint32_t>(state.runs.size())},
                     .cuts = has_gaps ? cuts.get() : nullptr,
-                    .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
-                    .filtered = *filtered,
-                    .filtered_capacity = settings_.run_capacity,
-                    .filtered_record = *filtered_record});
+                    .filtered = {*filtered, *filtered_record, settings_.run_capacity}});
     state.record = read_back<FrameRecord>(*device_, *filtered_record, 1)[0];
     state.runs = read_back<Run>(*device_, *filtered, state.record.points[0]);
     state.alpha = read_back<std::uint8_t>(*device_, *alpha, state.alpha.size());
@@ -292,9 +282,7 @@ void FrameStages::density(const Camera& camera, FrameState& state) {
     const auto grid = device_->allocate(count * sizeof(std::uint32_t));
     stages_.density({.table = table(),
                      .atlas = atlas_of(*alpha, state.offsets.back()),
-                     .runs = *runs,
-                     .record = *record,
-                     .run_capacity = static_cast<std::uint32_t>(state.runs.size()),
+                     .runs = {*runs, *record, static_cast<std::uint32_t>(state.runs.size())},
                      .viewport = viewport,
                      .density = settings_.density,
                      .focus = StageSettings::focus(viewport),
@@ -337,12 +325,8 @@ std::vector<Run> FrameStages::pens(const Camera& camera, const std::vector<float
     stages_.pens({.table = table(),
                   .segment_pens = *segment_pens,
                   .outline = &outline,
-                  .runs = *runs,
-                  .record = *record,
-                  .run_capacity = count,
-                  .drawn = *drawn,
-                  .drawn_capacity = 8 * count,
-                  .drawn_record = *drawn_record});
+                  .runs = {*runs, *record, count},
+                  .drawn = {*drawn, *drawn_record, 8 * count}});
     const std::uint32_t pieces = read_back<FrameRecord>(*device_, *drawn_record, 1)[0].points[0];
     return read_back<Run>(*device_, *drawn, pieces);
 }
@@ -366,7 +350,7 @@ std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const Frame
     const auto shown = device_->allocate(capacity * sizeof(la_uint));
     const compute::StrokeLists lists{*ends, *entries, capacity};
     for (const bool again : {false, true}) {
-        stages_.list_strokes({*runs, *record, viewport, settings_.half_width, lists});
+        stages_.list_strokes({{*runs, *record, count}, viewport, settings_.half_width, lists});
         stages_.draw_strokes({.runs = *runs,
                               .run_count = count,
                               .lists = lists,

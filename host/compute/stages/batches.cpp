@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "divide_up.hpp"
-
 namespace lineatlas::compute {
 
 void Batches::release() {
@@ -26,28 +24,24 @@ Batches::Step Batches::next(const Of& of) {
     return std::exchange(made_, true) ? Step::keep : Step::make;
 }
 
-bool Batches::has_segments(const SegmentTable& table) {
-    const Step step = next({.elements = &table.segments,
+template <class Boxes>
+bool Batches::has(const SegmentTable& table, const Buffer& elements, std::uint32_t count) {
+    const Step step = next({.elements = &elements,
                             .vertices = &table.vertices,
                             .version = table.version,
-                            .count = table.segment_count - table.candidates.count});
-    if (step == Step::make) {
-        stages_.launch<kernels::project_clip_boxes>(this->table().batches(), {count_}, table,
-                                                    BatchBoxes{*boxes_});
-    }
+                            .count = count});
+    const BatchTable made = this->table();
+    if (step == Step::make) stages_.launch<Boxes>(made.batch_count(), {count_}, table, made);
     return step != Step::wait;
 }
 
+bool Batches::has_segments(const SegmentTable& table) {
+    return has<kernels::project_clip_boxes>(table, table.segments,
+                                            table.segment_count - table.candidates.count);
+}
+
 bool Batches::has_triangles(const SegmentTable& table) {
-    const Step step = next({.elements = &table.triangles,
-                            .vertices = &table.vertices,
-                            .version = table.version,
-                            .count = table.triangle_count});
-    if (step == Step::make) {
-        stages_.launch<kernels::surfaces_boxes>(this->table().batches(), {count_}, table,
-                                                BatchBoxes{*boxes_});
-    }
-    return step != Step::wait;
+    return has<kernels::surfaces_boxes>(table, table.triangles, table.triangle_count);
 }
 
 } // namespace lineatlas::compute

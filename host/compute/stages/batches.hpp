@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -23,7 +21,7 @@ class Batches {
     bool has_segments(const SegmentTable& table);
     bool has_triangles(const SegmentTable& table);
     /// The last batches that were made.
-    BatchTable table() const { return {*boxes_, *states_, count_}; }
+    BatchTable table() const { return {boxes_.get(), states_.get(), count_}; }
 
   private:
     /// What boxes were made from.
@@ -37,6 +35,8 @@ class Batches {
     /// What to do about boxes if `of` stands still.
     enum class Step { wait, make, keep };
     Step next(const Of& of);
+    template <class Boxes>
+    bool has(const SegmentTable& table, const Buffer& elements, std::uint32_t count);
 
     Stages& stages_;
     Device& device_; ///< of stages_

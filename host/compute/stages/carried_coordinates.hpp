@@ -9,8 +9,7 @@ namespace lineatlas::compute {
 class CarriedCoordinates {
   public:
     /// `stages` must outlive it.
-    explicit CarriedCoordinates(Stages& stages)
-        : stages_(stages), device_(stages.device()), tables_(device_, table::carry) {}
+    explicit CarriedCoordinates(Stages& stages) : stages_(stages), tables_{&stages.device()} {}
 
     /// Gives up its tables and its memory of the frame before.
     void release();
@@ -21,32 +20,14 @@ class CarriedCoordinates {
     void find(const SegmentTable& table, std::uint32_t first, const ClippedTable& clipped,
               glm::vec2 viewport, float limit);
     /// Writes the coordinates into runs of that frame.
-    void apply(Buffer& runs, Buffer& record, std::uint32_t run_capacity);
+    void apply(const RunTable& runs);
 
   private:
-    enum class Table {
-        // Per candidate:
-        memory,
-        // Per silhouette:
-        lengths,
-        found,
-        kept,
-        breaks,
-        means,
-        pieces,
-        recalled,
-        list,
-        shifts,
-        carried,
-        count
-    };
-
     Stages& stages_;
-    Device& device_; ///< of stages_
     std::uint32_t frame_ = 2;
     std::uint32_t first_ = 0, count_ = 0; ///< silhouettes of the last frame
     Buffer* arcs_ = nullptr;              ///< of that frame
-    GrowingTables<Table> tables_;
+    CarryTables tables_;
 };
 
 } // namespace lineatlas::compute

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <string>
 
-#include "divide_up.hpp"
 #include "lineatlas/error.hpp"
 #include "stages.hpp"
 
@@ -21,8 +20,18 @@ float guard_band(glm::ivec2 whole_size) {
 struct Places {
     Buffer& places;
 };
-struct Seen {
-    Buffer& seen;
+
+/// The clusters in their order, and what tiles are drawn to.
+struct TileTables {
+    Buffer& boxes;
+    Buffer& nearest;
+    Buffer& order;
+    Buffer& total;
+    Buffer& next;
+    Buffer& depth;
+    Buffer& numbers;
+    Buffer& pyramid;
+    Buffer& blank;
 };
 /// Texels while triangles draw themselves, and the triangles that many work-items share.
 struct EachTables {
@@ -80,55 +89,38 @@ void Stages::depth(const DepthArgs& args) {
                                .chunks = 0,
                                .numbered = 0,
                                .finds = LA_FINDS_DEPTHS};
-    Buffer& places =
-        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
-    Buffer& boxes = scratch(Scratch::depth_boxes, std::size_t{4} * stride);
-    Buffer& nearest = scratch(Scratch::depth_nearest, stride);
-    Buffer& order = scratch(Scratch::depth_order, stride);
-    Buffer& total = scratch(Scratch::depth_total, 1);
-    Buffer& next = scratch(Scratch::depth_next, 1);
-    launch<kernels::depth_bin>(model.count, parameters, model, args, Places{places});
+    const Places places{
+        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4)};
+    launch<kernels::depth_bin>(model.count, parameters, model, args, places);
     if (tiles.x <= 0 || tiles.y <= 0) return;
-    if (tuning_.depth_each) return depth_each(args, parameters, places);
-    launch_grouped<kernels::depth_order>(
-        1, 1, parameters,
-        {.places = places, .boxes = boxes, .nearest = nearest, .order = order, .total = total});
+    if (tuning_.depth_each) return depth_each(args, parameters, places.places);
     // Each launch goes on from the depth that the one before has stored.
     const bool keeps_depth =
         args.depth != nullptr || args.numbers == nullptr || model.count > tuning_.depth_clusters;
     const std::size_t texels =
         keeps_depth ? static_cast<std::size_t>(args.size.x) * static_cast<std::size_t>(args.size.y)
                     : 1;
-    Buffer& depth = args.depth != nullptr ? *args.depth : scratch(Scratch::depth_unasked, texels);
-    Buffer& numbers =
-        args.numbers != nullptr ? *args.numbers : scratch(Scratch::depth_no_numbers, 1);
     parameters.keeps_depth = keeps_depth ? 1 : 0;
-    Buffer& blank = blank_tiles(args);
-    const Kernel& kernel = kernel_of<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0);
+    const TileTables tables{
+        .boxes = scratch(Scratch::depth_boxes, std::size_t{4} * stride),
+        .nearest = scratch(Scratch::depth_nearest, stride),
+        .order = scratch(Scratch::depth_order, stride),
+        .total = scratch(Scratch::depth_total, 1),
+        .next = scratch(Scratch::depth_next, 1),
+        .depth = args.depth != nullptr ? *args.depth : scratch(Scratch::depth_unasked, texels),
+        .numbers = args.numbers != nullptr ? *args.numbers : scratch(Scratch::depth_no_numbers, 1),
+        .pyramid = args.tiles,
+        .blank = blank_tiles(args)};
+    launch_grouped<kernels::depth_order>(1, 1, parameters, places, tables);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
     do {
         parameters.begin = parameters.end;
         parameters.end =
             parameters.begin + std::min(tuning_.depth_clusters, model.count - parameters.begin);
-        device_.clear(next, sizeof(la_uint));
-        launch_grouped<kernels::depth_tiles>(workers, 1, parameters,
-                                             {.boxes = boxes,
-                                              .nearest = nearest,
-                                              .order = order,
-                                              .total = total,
-                                              .clusters = model.clusters,
-                                              .meshlets = model.meshlets,
-                                              .vertex_list = model.vertex_list,
-                                              .corners = model.corners,
-                                              .vertices = args.vertices,
-                                              .next = next,
-                                              .depth = depth,
-                                              .numbers = numbers,
-                                              .pyramid = args.tiles,
-                                              .blank = blank,
-                                              .seen = args.seen},
-                                             kernel);
+        device_.clear(tables.next, sizeof(la_uint));
+        launch_variant<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0, workers, 1,
+                                             parameters, tables, model, args);
     } while (parameters.end < model.count);
 }
 
@@ -189,14 +181,12 @@ void Stages::depth_each(const DepthArgs& args, DepthParameters parameters, Buffe
 }
 
 void Stages::planes(const PlanesArgs& args) {
-    launch<kernels::planes>(
-        args.model.count,
-        {.count = args.model.count,
-         .world_from_screen = args.view.world_from_screen,
-         .contact = args.contact,
-         .only_seen = args.seen != nullptr ? 1U : 0U},
-        args.model, args,
-        Seen{args.seen != nullptr ? *args.seen : args.model.vertex_list /* of words, not read */});
+    launch<kernels::planes>(args.model.count,
+                            {.count = args.model.count,
+                             .world_from_screen = args.view.world_from_screen,
+                             .contact = args.contact,
+                             .only_seen = args.seen != nullptr ? 1U : 0U},
+                            args.model, args);
 }
 
 } // namespace lineatlas::compute

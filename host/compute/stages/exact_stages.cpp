@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "compute/transfer.hpp"
-#include "divide_up.hpp"
-#include "stages.hpp"
+#include "exact_visibility.hpp"
 
 namespace lineatlas::compute {
 namespace {
+
+using Scratch = Stages::Scratch;
 
 /// The number of work-items that share the rows of tiles of a triangle, if triangles have
 /// work-items of their own. With one, all would wait for a face that covers the picture. Among very
@@ -14,21 +15,6 @@ namespace {
 std::uint32_t face_slices(std::uint32_t triangles) {
     constexpr std::uint32_t most = 8, most_items = 1U << 22U;
     return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
-}
-
-std::uint32_t tiles_of(const ExactParameters& parameters) {
-    return static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y);
-}
-
-/// Tables that may be missing. Then other tables, which are not read, stand for them.
-struct ExactTables {
-    Buffer &patches, &seen, &states;
-};
-ExactTables may_be_absent(const ExactArgs& args) {
-    const std::optional<ContourTables>& contours = args.table.candidates.contours;
-    return {.patches = contours ? *contours->patches : args.table.triangles,
-            .seen = args.seen != nullptr ? *args.seen : args.clipped.arcs,
-            .states = args.batches != nullptr ? args.batches->states : args.screen};
 }
 
 /// The ranges by which lists are sorted, and the places of their entries.
@@ -47,127 +33,141 @@ struct RawParts {
     Buffer& raw_parts;
 };
 
-ExactParameters in_chunks(const ExactArgs& args, const Tuning& tuning) {
-    ExactParameters parameters = args.parameters;
-    parameters.batched = args.batches != nullptr ? args.batches->count : 0;
+} // namespace
+
+ExactVisibility::Optional ExactVisibility::optional() const {
+    const std::optional<ContourTables>& contours = table_->candidates.contours;
+    return {contours ? contours->patches : nullptr, batches_.states};
+}
+
+ExactParameters ExactVisibility::in_chunks(const ExactParameters& own) const {
+    const Tuning& tuning = device_.tuning();
+    ExactParameters parameters = own;
+    parameters.batched = batches_.count;
     parameters.slices = tuning.face_lists ? face_slices(parameters.triangle_count) : 1;
-    parameters.chunks = list_columns(tuning);
+    parameters.chunks = columns();
     parameters.chunk = tuning.face_lists
                            ? 1
                            : std::max(divide_up(parameters.triangle_count, tuning.face_chunks), 1U);
     return parameters;
 }
 
-} // namespace
-
-void Stages::surfaces(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args, tuning_);
-    launch<kernels::surfaces_vertices>(parameters.vertex_count, parameters, args.table, args);
-    device_.clear(args.occluders, tiles_of(parameters) * sizeof(la_uint));
-    if (args.batches != nullptr) {
+void ExactVisibility::surfaces() {
+    batches_ = triangles_.has_triangles(*table_) ? triangles_.table() : BatchTable{};
+    const ExactParameters parameters = in_chunks(parameters_);
+    stages_.launch<kernels::surfaces_vertices>(parameters.vertex_count, parameters, *table_,
+                                               lists_);
+    device_.clear(*lists_.occluders, tiles() * sizeof(la_uint));
+    if (batches_.count > 0) {
         ExactParameters by_batch = parameters;
-        by_batch.count = args.batches->batches();
+        by_batch.count = batches_.batch_count();
         const std::uint32_t items = parameters.slices > 1 ? LA_BATCH * parameters.slices : 1;
-        launch<kernels::surfaces_occluders>(by_batch.count * items, by_batch, args.table, args,
-                                            BatchBoxes{args.batches->boxes});
-        surfaces_batches(args, *args.batches, true);
+        stages_.launch<kernels::surfaces_occluders>(by_batch.count * items, by_batch, *table_,
+                                                    lists_, batches_);
+        find_batches(batches_, true);
     }
-    launch<kernels::surfaces_faces>(parameters.triangle_count * parameters.slices, parameters,
-                                    args.table, args, may_be_absent(args));
+    stages_.launch<kernels::surfaces_faces>(parameters.triangle_count * parameters.slices,
+                                            parameters, *table_, lists_, optional());
 }
 
-void Stages::surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden) {
-    ExactParameters parameters = args.parameters;
-    parameters.count = batches.batches();
+void ExactVisibility::find_batches(const BatchTable& batches, bool drops_hidden) {
+    ExactParameters parameters = parameters_;
+    parameters.count = batches.batch_count();
     parameters.keeps_hidden = drops_hidden ? 0 : 1;
-    launch<kernels::surfaces_batches>(parameters.count, parameters, batches, args,
-                                      BatchBoxes{batches.boxes});
+    stages_.launch<kernels::surfaces_batches>(parameters.count, parameters, batches, lists_);
 }
 
-void Stages::tile_lists(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args, tuning_);
-    const std::uint32_t tiles = tiles_of(parameters);
-    const std::uint32_t counts = tiles * parameters.chunks;
+void ExactVisibility::tile_lists() {
+    const Tuning& tuning = device_.tuning();
+    const ExactParameters parameters = in_chunks(parameters_);
+    const std::uint32_t counts = tiles() * parameters.chunks;
     const std::uint32_t chunks =
         divide_up(parameters.triangle_count, parameters.chunk) * parameters.slices;
-    device_.clear(args.ends, counts * sizeof(la_uint));
-    launch_grouped<kernels::tile_lists_count>(chunks, tuning_.block_local_size, parameters,
-                                              args.table, args, may_be_absent(args),
-                                              Counts{args.ends});
-    scan(args.ends, counts, ScanKind::saturate);
-    launch<kernels::tile_lists_groups>(tiles, parameters, args, Offsets{args.ends});
-    scan(args.groups, tiles, ScanKind::saturate);
-    const std::size_t ranged = tuning_.face_lists ? std::size_t{2} * tiles : 1;
-    Buffer& ranges = scratch(Scratch::list_ranges, ranged);
+    device_.clear(*lists_.ends, counts * sizeof(la_uint));
+    stages_.launch_grouped<kernels::tile_lists_count>(chunks, tuning.block_local_size, parameters,
+                                                      *table_, lists_, optional(),
+                                                      Counts{*lists_.ends});
+    stages_.scan(*lists_.ends, counts, ScanKind::saturate);
+    stages_.launch<kernels::tile_lists_groups>(tiles(), parameters, lists_, Offsets{*lists_.ends});
+    stages_.scan(*lists_.groups, tiles(), ScanKind::saturate);
+    const std::size_t ranged = tuning.face_lists ? std::size_t{2} * tiles() : 1;
+    Buffer& ranges = stages_.scratch(Scratch::list_ranges, ranged);
     device_.clear(ranges, ranged * sizeof(la_uint));
-    launch_grouped<kernels::tile_lists_fill>(chunks, tuning_.block_local_size, parameters,
-                                             args.table, args, may_be_absent(args),
+    stages_.launch_grouped<kernels::tile_lists_fill>(chunks, tuning.block_local_size, parameters,
+                                                     *table_, lists_, optional(),
+                                                     ListRanges{ranges});
+    if (tuning.face_lists) return arrange_by_entries(parameters, ranges);
+    stages_.launch_grouped<kernels::tile_lists_arrange>(tiles(), tuning.block_local_size,
+                                                        parameters, *table_, lists_);
+}
+
+void ExactVisibility::arrange_by_entries(const ExactParameters& parameters, Buffer& ranges) {
+    const std::uint32_t entries = parameters.entry_capacity;
+    const std::uint32_t keys = tiles() * LA_LIST_KEYS;
+    const KeyTables sorted{
+        stages_.scratch(Scratch::list_keys, std::size_t{keys} + 1),
+        stages_.scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
+    device_.clear(sorted.keys, keys * sizeof(la_uint));
+    stages_.launch<kernels::tile_lists_keys>(entries, parameters, lists_, sorted,
                                              ListRanges{ranges});
-    if (tuning_.face_lists) return arrange_by_entries(args, parameters, ranges);
-    launch_grouped<kernels::tile_lists_arrange>(tiles, tuning_.block_local_size, parameters,
-                                                args.table, args);
+    stages_.scan(sorted.keys, keys, ScanKind::saturate);
+    stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, sorted);
+    stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, sorted);
+    stages_.launch<kernels::tile_lists_write>(entries, parameters, *table_, lists_);
+    stages_.launch<kernels::tile_lists_boxes>(parameters.group_capacity, parameters, lists_);
+    stages_.launch<kernels::tile_lists_behind>(tiles(), parameters, lists_);
 }
 
-void Stages::arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
-                                Buffer& ranges) {
-    const std::uint32_t tiles = tiles_of(parameters), entries = parameters.entry_capacity;
-    const std::uint32_t keys = tiles * LA_LIST_KEYS;
-    const KeyTables lists{scratch(Scratch::list_keys, std::size_t{keys} + 1),
-                          scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
-    device_.clear(lists.keys, keys * sizeof(la_uint));
-    launch<kernels::tile_lists_keys>(entries, parameters, args, lists, ListRanges{ranges});
-    scan(lists.keys, keys, ScanKind::saturate);
-    launch<kernels::tile_lists_place>(entries, parameters, args, lists);
-    launch<kernels::tile_lists_sort>(entries, parameters, args, lists);
-    launch<kernels::tile_lists_write>(entries, parameters, args.table, args);
-    launch<kernels::tile_lists_boxes>(parameters.group_capacity, parameters, args);
-    launch<kernels::tile_lists_behind>(tiles, parameters, args);
+void ExactVisibility::visible(const ClippedTable& clipped) {
+    find_spans(lines(clipped));
 }
 
-void Stages::visible(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args, tuning_);
+void ExactVisibility::find_spans(const Lines& lines) {
+    const ExactParameters parameters = in_chunks(lines.parameters);
     const std::uint32_t n = parameters.count;
-    if (tuning_.face_lists)
-        count_pieces(args, parameters);
+    Buffer& offsets = *lines.found.offsets;
+    if (device_.tuning().face_lists)
+        count_pieces(lines, parameters);
     else
-        launch<kernels::visible_count>(n, parameters, args.table, args.clipped, args,
-                                       may_be_absent(args), Counts{args.span_offsets});
-    scan(args.span_offsets, n, ScanKind::saturate);
-    visible_write(args);
+        stages_.launch<kernels::visible_count>(n, parameters, *table_, lines, lines.clipped, lists_,
+                                               optional(), lines.found, Counts{offsets});
+    stages_.scan(offsets, n, ScanKind::saturate);
+    write_spans(lines);
 }
 
-void Stages::count_pieces(const ExactArgs& args, const ExactParameters& parameters) {
+void ExactVisibility::count_pieces(const Lines& lines, const ExactParameters& parameters) {
     const std::uint32_t n = parameters.count;
-    const ExactTables absent = may_be_absent(args);
-    Buffer& offsets = scratch(Scratch::piece_offsets, std::size_t{n} + 1);
-    launch<kernels::visible_pieces>(n, parameters, args.table, args.clipped, args, absent,
-                                    Counts{offsets});
-    scan(offsets, n, ScanKind::saturate);
+    Buffer& offsets = stages_.scratch(Scratch::piece_offsets, std::size_t{n} + 1);
+    stages_.launch<kernels::visible_pieces>(n, parameters, *table_, lines, lines.clipped, lists_,
+                                            optional(), Counts{offsets});
+    stages_.scan(offsets, n, ScanKind::saturate);
     const auto count = read_one<la_uint>(device_, offsets, n);
-    const PieceTables pieces{offsets, scratch(Scratch::piece_parts, std::size_t{count} + 1),
-                             scratch(Scratch::piece_kept, std::size_t{4} * count)};
-    launch<kernels::visible_cut>(count, parameters, args.table, args.clipped, args, absent, pieces,
-                                 Counts{pieces.part_offsets});
-    scan(pieces.part_offsets, count, ScanKind::saturate);
+    const PieceTables pieces{offsets, stages_.scratch(Scratch::piece_parts, std::size_t{count} + 1),
+                             stages_.scratch(Scratch::piece_kept, std::size_t{4} * count)};
+    stages_.launch<kernels::visible_cut>(count, parameters, *table_, lines, lines.clipped, lists_,
+                                         optional(), pieces, Counts{pieces.part_offsets});
+    stages_.scan(pieces.part_offsets, count, ScanKind::saturate);
     const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
-    const RawParts raw{scratch(Scratch::raw_parts, 2 * parts)};
-    launch<kernels::visible_parts>(count, parameters, args.table, args.clipped, args, absent,
-                                   pieces, raw);
-    launch<kernels::visible_join>(n, parameters, args.clipped, pieces, raw,
-                                  Counts{args.span_offsets});
+    const RawParts raw{stages_.scratch(Scratch::raw_parts, 2 * parts)};
+    stages_.launch<kernels::visible_parts>(count, parameters, *table_, lines, lines.clipped, lists_,
+                                           optional(), pieces, raw);
+    stages_.launch<kernels::visible_join>(n, parameters, lines.clipped, pieces, raw,
+                                          Counts{*lines.found.offsets});
 }
 
-void Stages::visible_write(const ExactArgs& args) {
-    const ExactParameters parameters = in_chunks(args, tuning_);
-    if (tuning_.face_lists) {
-        const PieceTables pieces{scratch_[Scratch::piece_offsets], scratch_[Scratch::piece_parts],
-                                 scratch_[Scratch::piece_kept]};
-        return launch<kernels::visible_spans>(parameters.count, parameters,
-                                              Offsets{args.span_offsets}, args.clipped, pieces,
-                                              args, RawParts{scratch_[Scratch::raw_parts]});
+void ExactVisibility::write_spans(const Lines& lines) {
+    ExactParameters parameters = in_chunks(lines.parameters);
+    parameters.span_capacity = lines.found.capacity;
+    if (device_.tuning().face_lists) {
+        const PieceTables pieces{stages_.scratch(Scratch::piece_offsets),
+                                 stages_.scratch(Scratch::piece_parts),
+                                 stages_.scratch(Scratch::piece_kept)};
+        return stages_.launch<kernels::visible_spans>(
+            parameters.count, parameters, lines.found, lines.clipped, pieces,
+            RawParts{stages_.scratch(Scratch::raw_parts)});
     }
-    launch<kernels::visible_write>(parameters.count, parameters, Offsets{args.span_offsets},
-                                   args.table, args.clipped, args, may_be_absent(args));
+    stages_.launch<kernels::visible_write>(parameters.count, parameters, lines.found, *table_,
+                                           lines, lines.clipped, lists_, optional());
 }
 
 namespace {
@@ -220,11 +220,11 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .block = tuning_.segment_block,
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
-                                     .capacity = args.run_capacity};
+                                     .capacity = args.runs.capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_runs>(
         std::max(parameters.blocks, 1U), // the first work-item writes the record
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.runs,
         BlockOffsets{counts});
 }
 
@@ -238,11 +238,11 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .block = tuning_.segment_block,
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
-                                     .capacity = args.interval_capacity};
+                                     .capacity = args.into.capacity};
     Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
     launch_grouped<kernels::spans_intervals>(
         std::max(parameters.blocks, 1U), // the first work-item writes the total
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args,
+        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.into,
         BlockOffsets{counts});
 }
 

@@ -92,9 +92,14 @@ ExactParameters parameters_of(const SegmentTable& table, const Camera& camera, c
 void ExactVisibility::release() {
     table_.reset();
     triangles_.release();
-    batches_.reset();
-    tables_.release();
-    beside_.capacity = within_.capacity = part_capacity_ = 0;
+    batches_ = {};
+    lists_ = {&device_};
+    for (Found* found : {&own_, &beside_, &within_}) {
+        for (Table* table : {&found->kept, &found->offsets, &found->spans}) table->release();
+        found->capacity = 0;
+    }
+    for (Table* table : {&numbers_, &seen_, &pushed_, &part_offsets_, &parts_}) table->release();
+    part_capacity_ = 0;
     parameters_ = {};
 }
 
@@ -112,24 +117,24 @@ void ExactVisibility::begin(const SegmentTable& table, const Camera& camera, con
         std::max(before.entry_capacity, first_capacity<Entry>(device_, entries));
     parameters_.group_capacity =
         std::max(before.group_capacity, first_capacity<Group>(device_, groups));
-    parameters_.span_capacity = std::max(
-        before.span_capacity, first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+    own_.capacity =
+        std::max(own_.capacity, first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+
     constexpr std::uint64_t four = 4 * sizeof(float);
-    tables_.fit(Table::screen, parameters_.vertex_count * four);
-    tables_.fit(Table::faces, std::uint64_t{parameters_.triangle_count} * sizeof(ScreenFace));
-    tables_.fit(Table::planes, parameters_.triangle_count * four);
+    lists_.screen.fit(parameters_.vertex_count * four);
+    lists_.faces.fit(std::uint64_t{parameters_.triangle_count} * sizeof(ScreenFace));
+    lists_.planes.fit(parameters_.triangle_count * four);
     make_room_for_segments();
-    tables_.fit(Table::occluders, std::uint64_t{tiles()} * sizeof(la_uint));
-    tables_.fit(Table::ends,
-                (std::uint64_t{tiles()} * list_columns(device_.tuning()) + 1) * sizeof(la_uint));
-    tables_.fit(Table::groups, (std::uint64_t{tiles()} + 1) * sizeof(la_uint));
+    lists_.occluders.fit(std::uint64_t{tiles()} * sizeof(la_uint));
+    lists_.ends.fit((std::uint64_t{tiles()} * columns() + 1) * sizeof(la_uint));
+    lists_.groups.fit((std::uint64_t{tiles()} + 1) * sizeof(la_uint));
     make_lists();
-    tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
+    own_.make_spans();
 }
 
 void ExactVisibility::make_room_for_segments() {
-    tables_.fit(Table::kept, parameters_.count * std::uint64_t{4 * sizeof(float)});
-    tables_.fit(Table::span_offsets, (std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
+    own_.kept.fit(parameters_.count * std::uint64_t{4 * sizeof(float)});
+    own_.offsets.fit((std::uint64_t{parameters_.count} + 1) * sizeof(la_uint));
 }
 
 void ExactVisibility::go_on(const SegmentTable& table) {
@@ -141,54 +146,9 @@ void ExactVisibility::go_on(const SegmentTable& table) {
 
 void ExactVisibility::make_lists() {
     const std::uint64_t groups = parameters_.group_capacity;
-    tables_.fit(Table::entries, std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
-    tables_.fit(Table::blocks, groups * LA_GROUP_FLOATS * sizeof(float));
-    tables_.fit(Table::boxes, (groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
-}
-
-ExactArgs ExactVisibility::args(const ClippedTable& clipped) const {
-    return args(clipped, parameters_, tables_[Table::kept], tables_[Table::span_offsets],
-                tables_[Table::spans]);
-}
-
-ExactArgs ExactVisibility::args(const ClippedTable& clipped, const ExactParameters& parameters,
-                                Buffer& kept, Buffer& span_offsets, Buffer& spans) const {
-    return {.table = *table_,
-            .clipped = clipped,
-            .parameters = parameters,
-            .screen = tables_[Table::screen],
-            .faces = tables_[Table::faces],
-            .planes = tables_[Table::planes],
-            .occluders = tables_[Table::occluders],
-            .ends = tables_[Table::ends],
-            .groups = tables_[Table::groups],
-            .entries = tables_[Table::entries],
-            .blocks = tables_[Table::blocks],
-            .boxes = tables_[Table::boxes],
-            .kept = kept,
-            .span_offsets = span_offsets,
-            .spans = spans,
-            .batches = batches_ ? &*batches_ : nullptr,
-            .seen = parameters.beside > 0 ? &tables_[Table::seen] : nullptr};
-}
-
-void ExactVisibility::surfaces(const ClippedTable& clipped) {
-    batches_.reset();
-    if (triangles_.has_triangles(*table_)) batches_.emplace(triangles_.table());
-    stages_.surfaces(args(clipped));
-}
-
-void ExactVisibility::find_batches(const ClippedTable& clipped, const BatchTable& batches,
-                                   bool drops_hidden) {
-    stages_.surfaces_batches(args(clipped), batches, drops_hidden);
-}
-
-void ExactVisibility::tile_lists(const ClippedTable& clipped) {
-    stages_.tile_lists(args(clipped));
-}
-
-void ExactVisibility::visible(const ClippedTable& clipped) {
-    stages_.visible(args(clipped));
+    lists_.entries.fit(std::uint64_t{parameters_.entry_capacity} * sizeof(Entry));
+    lists_.blocks.fit(groups * LA_GROUP_FLOATS * sizeof(float));
+    lists_.boxes.fit((groups + LA_GROUP) * LA_BOX_FLOATS * sizeof(float));
 }
 
 std::uint32_t ExactVisibility::grown(std::uint32_t needed, std::size_t element) const {
@@ -202,26 +162,22 @@ std::uint32_t ExactVisibility::grown(std::uint32_t needed, std::size_t element) 
 }
 
 void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t seen,
-                                  std::uint32_t ways, Beside& beside) {
+                                  std::uint32_t ways, Found& found) {
     const std::uint64_t count = std::uint64_t{seen} * ways;
-    beside.capacity = std::max(beside.capacity,
-                               first_capacity<std::array<float, 2>>(device_, first_span_capacity));
-    tables_.make_room(beside.kept, count * 4 * sizeof(float));
-    tables_.make_room(beside.offsets, (count + 1) * sizeof(la_uint));
-    ExactParameters parameters = parameters_;
-    parameters.count = static_cast<std::uint32_t>(count);
-    parameters.beside = ways;
-    const auto arguments = [&] {
-        tables_.fit(beside.spans, std::uint64_t{beside.capacity} * 2 * sizeof(float));
-        parameters.span_capacity = beside.capacity;
-        return args({tables_[Table::pushed], clipped.offsets, clipped.arcs}, parameters,
-                    tables_[beside.kept], tables_[beside.offsets], tables_[beside.spans]);
-    };
-    stages_.visible(arguments());
-    const auto found = read_one<la_uint>(device_, tables_[beside.offsets], count);
-    if (found <= beside.capacity) return;
-    beside.capacity = grown(found, 2 * sizeof(float));
-    stages_.visible_write(arguments());
+    found.capacity = std::max(found.capacity,
+                              first_capacity<std::array<float, 2>>(device_, first_span_capacity));
+    found.kept.make_room(count * 4 * sizeof(float));
+    found.offsets.make_room((count + 1) * sizeof(la_uint));
+    found.make_spans();
+    Lines lines{{*pushed_, clipped.offsets, clipped.arcs}, parameters_, found, seen_.get()};
+    lines.parameters.count = static_cast<std::uint32_t>(count);
+    lines.parameters.beside = ways;
+    find_spans(lines);
+    const auto spans = read_one<la_uint>(device_, *found.offsets, count);
+    if (spans <= found.capacity) return;
+    found.capacity = grown(spans, 2 * sizeof(float));
+    found.make_spans();
+    write_spans(lines);
 }
 
 namespace {
@@ -238,22 +194,19 @@ struct BesideOffsets {
 
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
     const std::uint32_t segments = parameters_.count;
-    tables_.fit(Table::numbers, (segments + 1ULL) * sizeof(la_uint));
-    tables_.fit(Table::part_offsets, (segments + 1ULL) * sizeof(la_uint));
-    stages_.outline_seen({.table = *table_,
-                          .clipped = clipped,
-                          .spans = spans(),
-                          .numbers = tables_[Table::numbers]});
-    const auto seen = read_one<la_uint>(device_, tables_[Table::numbers], segments);
+    numbers_.fit((segments + 1ULL) * sizeof(la_uint));
+    part_offsets_.fit((segments + 1ULL) * sizeof(la_uint));
+    stages_.outline_seen(
+        {.table = *table_, .clipped = clipped, .spans = spans(), .numbers = *numbers_});
+    const auto seen = read_one<la_uint>(device_, *numbers_, segments);
     const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{seen};
     if (ways >= std::numeric_limits<std::uint32_t>::max()) {
         throw DeviceError(beyond_limit(purpose::exact, "over 1 billion lines with outlines",
                                        "kernels count to 4 billion"));
     }
-    tables_.make_room(Table::seen, std::uint64_t{seen} * sizeof(la_uint));
-    tables_.make_room(Table::pushed, ways * sizeof(ClippedSegment));
-    stages_.launch_each<kernels::scan_list>(
-        segments, {.values = tables_[Table::numbers], .list = tables_[Table::seen]});
+    seen_.make_room(std::uint64_t{seen} * sizeof(la_uint));
+    pushed_.make_room(ways * sizeof(ClippedSegment));
+    stages_.launch_each<kernels::scan_list>(segments, {.values = *numbers_, .list = *seen_});
     constexpr float reach = 0.5F; // pixels
     const OutlineParameters outline{.count = seen,
                                     .viewport = parameters_.viewport,
@@ -263,37 +216,36 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                                     .capacity = 0,
                                     .clip_from_world = parameters_.clip_from_world,
                                     .lift = parameters_.lift};
-    const OutlineWays pushed{tables_[Table::seen], tables_[Table::pushed]};
+    const OutlineWays pushed{*seen_, *pushed_};
     stages_.launch<kernels::outline_push>(seen, outline, *table_, clipped, pushed);
     find_beside(clipped, seen, LA_OUTLINE_BESIDE, beside_);
     stages_.launch<kernels::outline_push_in>(seen, outline, clipped, pushed,
-                                             BesideOffsets{tables_[beside_.offsets]});
+                                             BesideOffsets{*beside_.offsets});
     find_beside(clipped, seen, LA_OUTLINE_WITHIN, within_);
+
     part_capacity_ = std::max(part_capacity_, beside_.capacity);
     for (bool again = true; again;) {
-        tables_.fit(Table::parts, std::uint64_t{part_capacity_} * 2 * sizeof(float));
-        stages_.outline_parts(
-            {.segment_count = segments,
-             .numbers = tables_[Table::numbers],
-             .arcs = clipped.arcs,
-             .depth = depth,
-             .beside = {tables_[beside_.offsets], tables_[beside_.spans], beside_.capacity},
-             .within = {tables_[within_.offsets], tables_[within_.spans], within_.capacity},
-             .part_offsets = tables_[Table::part_offsets],
-             .parts = tables_[Table::parts],
-             .part_capacity = part_capacity_});
-        const auto found = read_one<la_uint>(device_, tables_[Table::part_offsets], segments);
+        parts_.fit(std::uint64_t{part_capacity_} * 2 * sizeof(float));
+        stages_.outline_parts({.segment_count = segments,
+                               .numbers = *numbers_,
+                               .arcs = clipped.arcs,
+                               .depth = depth,
+                               .beside = beside_.table(),
+                               .within = within_.table(),
+                               .part_offsets = *part_offsets_,
+                               .parts = *parts_,
+                               .part_capacity = part_capacity_});
+        const auto found = read_one<la_uint>(device_, *part_offsets_, segments);
         again = found > part_capacity_;
         if (again) part_capacity_ = grown(found, 2 * sizeof(float));
     }
-    return {tables_[Table::part_offsets], tables_[Table::parts]};
+    return {*part_offsets_, *parts_};
 }
 
 bool ExactVisibility::grow(const ClippedTable& clipped) {
-    const auto entries = read_one<la_uint>(device_, tables_[Table::ends],
-                                           std::size_t{tiles()} * list_columns(device_.tuning()));
-    const auto groups = read_one<la_uint>(device_, tables_[Table::groups], tiles());
-    const auto spans = read_one<la_uint>(device_, tables_[Table::span_offsets], parameters_.count);
+    const auto entries = read_one<la_uint>(device_, *lists_.ends, std::size_t{tiles()} * columns());
+    const auto groups = read_one<la_uint>(device_, *lists_.groups, tiles());
+    const auto spans = read_one<la_uint>(device_, *own_.offsets, parameters_.count);
     bool again = false;
     if (entries > parameters_.entry_capacity) {
         parameters_.entry_capacity = grown(entries, sizeof(Entry));
@@ -305,16 +257,12 @@ bool ExactVisibility::grow(const ClippedTable& clipped) {
     }
     if (again) {
         make_lists();
-    } else if (spans > parameters_.span_capacity) {
-        parameters_.span_capacity = grown(spans, 2 * sizeof(float));
-        tables_.fit(Table::spans, std::uint64_t{parameters_.span_capacity} * 2 * sizeof(float));
-        stages_.visible_write(args(clipped));
+    } else if (spans > own_.capacity) {
+        own_.capacity = grown(spans, 2 * sizeof(float));
+        own_.make_spans();
+        write_spans(lines(clipped));
     }
     return again;
-}
-
-SpanTable ExactVisibility::spans() const {
-    return {tables_[Table::span_offsets], tables_[Table::spans], parameters_.span_capacity};
 }
 
 } // namespace lineatlas::compute

@@ -4,23 +4,10 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
 namespace {
-
-struct Colors {
-    Buffer& colors; ///< any table of uints if they are not read
-};
-
-struct SmoothCorners {
-    Buffer& smooth_corners; ///< any of uints where they are not read
-};
-
-struct Normals {
-    Buffer& normals; ///< any where they are not read
-};
 
 FillColorsParameters colors_parameters(const FillArgs& args) {
     const Fill& fill = args.fill;
@@ -30,7 +17,7 @@ FillColorsParameters colors_parameters(const FillArgs& args) {
     return {.count = args.model.count,
             .has_colors = args.colors != nullptr ? 1U : 0U,
             .lit = toon || fill.mode == FillMode::lambert ? 1U : 0U,
-            .has_smooth = args.smooth ? 1U : 0U,
+            .has_smooth = args.smooth.normals != nullptr ? 1U : 0U,
             .plain = {fill.color, 1},
             .eye = args.eye,
             // Normals are turned by the transposed inverse of the matrix that turns faces.
@@ -68,16 +55,12 @@ void Stages::fill(const FillArgs& args) {
     const glm::ivec2 wanted = args.part.size();
     if (wanted.x <= 0 || wanted.y <= 0) return;
     const FillColorsParameters colors = colors_parameters(args);
-    const SmoothCorners smooth{args.smooth ? args.smooth->smooth_corners : args.numbers};
-    launch<kernels::fill_colors>(args.model.count, colors, args.model, args,
-                                 Colors{args.colors != nullptr ? *args.colors : args.numbers},
-                                 smooth);
+    launch<kernels::fill_colors>(args.model.count, colors, args.model, args, args.smooth);
     const std::uint32_t block = tuning_.atlas_block;
     const std::uint32_t blocks = divide_up(static_cast<std::uint32_t>(wanted.x), block);
     launch_grouped<kernels::fill_pixels>(
         blocks * static_cast<std::uint32_t>(wanted.y), tuning_.block_local_size,
-        pixels_parameters(args, colors, block, blocks), args, smooth,
-        Normals{args.smooth ? args.smooth->normals : args.vertices});
+        pixels_parameters(args, colors, block, blocks), args, args.smooth);
 }
 
 } // namespace lineatlas::compute

@@ -20,18 +20,14 @@ struct CompactArgs {
     glm::vec2 viewport;  ///< pixels
     float half_width;    ///< of the stroke, in pixels: decides where a join has room
     bool hidden = false; ///< runs of hidden samples instead of visible ones
-    Buffer& runs;        ///< out: `Run` each
-    std::uint32_t run_capacity;
-    Buffer& record; ///< out: one `FrameRecord`
+    RunTable runs;       ///< out
 };
 
 /// Gaps beside nearer lines (§4.5).
 struct HaloArgs {
     SegmentTable table;
     ClippedTable clipped;
-    Buffer& runs;   ///< `Run` each, of `compact`
-    Buffer& record; ///< its `FrameRecord`: points[0] runs
-    std::uint32_t run_capacity;
+    RunTable runs;      ///< of `compact`
     glm::vec2 viewport; ///< pixels
     float halo;         ///< gap beside the nearer stroke, pixels
     float half_width;   ///< of the nearer stroke, pixels
@@ -42,17 +38,13 @@ struct HaloArgs {
 /// Changes to visible strokes (§4.5).
 struct FilterArgs {
     SegmentTable table;
-    SegmentAtlas atlas;         ///< alpha: in and out; samples that become visible get 255
-    glm::vec2 viewport;         ///< pixels
-    float half_width;           ///< as in CompactArgs
-    StrokeFilter filter;        ///< what to do
-    Buffer& runs;               ///< in: `Run` each, of `compact`
-    Buffer& record;             ///< in: their `FrameRecord`
-    Buffer* cuts;               ///< in: of `halo`; null: none
-    std::uint32_t run_capacity; ///< of `runs`
-    Buffer& filtered;           ///< out: `Run` each
-    std::uint32_t filtered_capacity;
-    Buffer& filtered_record; ///< out: one `FrameRecord`
+    SegmentAtlas atlas;  ///< alpha: in and out; samples that become visible get 255
+    glm::vec2 viewport;  ///< pixels
+    float half_width;    ///< as in CompactArgs
+    StrokeFilter filter; ///< what to do
+    RunTable runs;       ///< in: of `compact`
+    Buffer* cuts;        ///< in: of `halo`; null: none
+    RunTable filtered;   ///< out
 };
 
 /// Pixels per axis of a cell of the density grid: LA_DENSITY_CELL, or a multiple of it for pictures
@@ -73,9 +65,7 @@ inline glm::ivec2 density_cells(glm::vec2 viewport) {
 struct DensityArgs {
     SegmentTable table;
     SegmentAtlas atlas;
-    Buffer& runs;   ///< in and out: `Run` each; gets the bin of its line's priority
-    Buffer& record; ///< their `FrameRecord`
-    std::uint32_t run_capacity;
+    RunTable runs;       ///< in and out: each gets the bin of its line's priority
     glm::vec2 viewport;  ///< pixels
     Density density;     ///< limit and priorities
     glm::vec4 focus;     ///< centre x and y, radius and falloff in pixels; falloff 0: no focus
@@ -112,12 +102,8 @@ struct PensArgs {
     /// A uint32 per segment of the line set: its pen, and from bit 16 the pen of its outline.
     Buffer& segment_pens;
     const OutlineTable* outline; ///< null: nothing is one
-    Buffer& runs;                ///< in: `Run` each
-    Buffer& record;              ///< in: their `FrameRecord`
-    std::uint32_t run_capacity;
-    Buffer& drawn; ///< out: `Run` each
-    std::uint32_t drawn_capacity;
-    Buffer& drawn_record; ///< out: one `FrameRecord`
+    RunTable runs;               ///< in
+    RunTable drawn;              ///< out
 };
 
 /// Where runs lie on the screen, in their order.
@@ -136,8 +122,7 @@ std::uint32_t stroke_chunks(const Tuning& tuning, glm::vec2 viewport);
 std::size_t stroke_ends(const Tuning& tuning, glm::vec2 viewport);
 
 struct StrokeListArgs {
-    Buffer& runs;       ///< `Run` each
-    Buffer& record;     ///< their `FrameRecord`
+    RunTable runs;
     glm::vec2 viewport; ///< pixels
     float half_width;   ///< of the widest pen, pixels
     StrokeLists lists;

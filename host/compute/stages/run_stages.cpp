@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "compute/transfer.hpp"
-#include "divide_up.hpp"
 #include "lineatlas/error.hpp"
 #include "stages.hpp"
 
@@ -16,14 +15,18 @@ constexpr std::uint32_t most_items_in_turns = 1U << 14U;
 struct Lists {
     Buffer &ends, &memory;
 };
-struct Cuts {
-    Buffer& cuts;
-};
+
 struct RunOffsets {
     Buffer& run_offsets;
 };
+struct FilteredRuns {
+    Buffer &filtered, &filtered_record;
+};
+struct DrawnRuns {
+    Buffer &drawn, &drawn_record;
+};
 struct OutlineTables {
-    Buffer &part_offsets, &parts, &origins;
+    Buffer *part_offsets = nullptr, *parts = nullptr;
 };
 
 } // namespace
@@ -38,7 +41,7 @@ void Stages::compact(const CompactArgs& args) {
                                        .hidden = args.hidden ? 1U : 0U,
                                        .block = tuning_.segment_block,
                                        .blocks = blocks,
-                                       .run_capacity = args.run_capacity};
+                                       .run_capacity = args.runs.capacity};
     Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
     launch_grouped<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
                                            args.atlas.clipped, args.atlas, Counts{counts});
@@ -46,20 +49,20 @@ void Stages::compact(const CompactArgs& args) {
     // The first work-item writes the record.
     launch_grouped<kernels::compact_write>(std::max(blocks, 1U), tuning_.block_local_size,
                                            parameters, args.table, args.atlas.clipped, args.atlas,
-                                           args, BlockOffsets{counts});
+                                           args.runs, BlockOffsets{counts});
 }
 
 void Stages::halo(const HaloArgs& args) {
     const glm::ivec2 tiles = (glm::ivec2{args.viewport} + (LA_HALO_TILE - 1)) / LA_HALO_TILE;
     const auto tile_count = static_cast<std::uint32_t>(tiles.x * tiles.y);
-    const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    const std::uint32_t items = std::min(args.runs.capacity, most_items_in_turns);
     HaloParameters parameters{.tiles = tiles,
                               .width = args.halo + args.half_width,
                               .tolerance = args.tolerance,
                               .total = 0};
     Buffer& ends = scratch(Scratch::halo_ends, tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
-    launch<kernels::halo_count>(items, parameters, args, Counts{ends});
+    launch<kernels::halo_count>(items, parameters, args.runs, Counts{ends});
     scan(ends, tile_count, ScanKind::saturate);
     parameters.total = read_one<la_uint>(device_, ends, tile_count);
     constexpr std::size_t tables = 7;      // of struct Lists
@@ -70,31 +73,31 @@ void Stages::halo(const HaloArgs& args) {
     halo_lists_.make_room((parameters.total + std::uint64_t{tuning_.halo_lanes}) * tables *
                           sizeof(la_uint));
     Buffer& lists = *halo_lists_;
-    launch<kernels::halo_fill>(items, parameters, args, Lists{ends, lists});
-    launch<kernels::halo_cut>(items, parameters, args.table, args.clipped, args,
+    launch<kernels::halo_fill>(items, parameters, args.runs, Lists{ends, lists});
+    launch<kernels::halo_cut>(items, parameters, args.table, args.clipped, args.runs, args,
                               Lists{ends, lists});
 }
 
 void Stages::filter(const FilterArgs& args) {
-    const std::uint32_t n = args.run_capacity;
+    const std::uint32_t n = args.runs.capacity;
     const FilterParameters parameters{.capacity = args.atlas.capacity,
                                       .viewport = args.viewport,
                                       .half_width = args.half_width,
                                       .filter = args.filter,
                                       .use_cuts = args.cuts != nullptr ? 1U : 0U,
                                       .run_capacity = n,
-                                      .filtered_capacity = args.filtered_capacity};
+                                      .filtered_capacity = args.filtered.capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    Buffer& cuts = args.cuts != nullptr ? *args.cuts : args.runs; // any table, which is not read
+    const FilteredRuns filtered{args.filtered.runs, args.filtered.record};
     launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
+                                          args.atlas.clipped, args.atlas, args, args.runs,
                                           Counts{counts});
     scan(counts, n, ScanKind::saturate);
     launch_grouped<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, Cuts{cuts},
+                                          args.atlas.clipped, args.atlas, args, args.runs, filtered,
                                           RunOffsets{counts});
-    launch_each<kernels::filter_show>(args.filtered_capacity, args, args.atlas);
-    launch_each<kernels::filter_show_ends>(n, args.table, args.atlas, args);
+    launch_each<kernels::filter_show>(args.filtered.capacity, filtered, args.atlas);
+    launch_each<kernels::filter_show_ends>(n, args.table, args.atlas, args.runs);
 }
 
 void Stages::outline_samples(const OutlineSamplesArgs& args) {
@@ -118,29 +121,28 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
 }
 
 void Stages::pens(const PensArgs& args) {
-    const std::uint32_t n = args.run_capacity;
-    const bool tells = args.outline != nullptr;
-    const bool ordered = args.table.origins != nullptr;
-    // Any tables stand for those that are not read.
-    const OutlineTables outlines{tells ? args.outline->part_offsets : args.record,
-                                 tells ? args.outline->parts : args.record,
-                                 ordered ? *args.table.origins : args.segment_pens};
-    const PensParameters parameters{.outlines = tells ? 1U : 0U,
-                                    .first = ordered ? args.table.candidates.first
-                                                     : args.table.segment_count,
+    const std::uint32_t n = args.runs.capacity;
+    OutlineTables outlines;
+    if (args.outline != nullptr) outlines = {&args.outline->part_offsets, &args.outline->parts};
+    const PensParameters parameters{.outlines = args.outline != nullptr ? 1U : 0U,
+                                    .first = args.table.origins != nullptr
+                                                 ? args.table.candidates.first
+                                                 : args.table.segment_count,
                                     .run_capacity = n,
-                                    .drawn_capacity = args.drawn_capacity};
+                                    .drawn_capacity = args.drawn.capacity};
     Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    launch<kernels::pens_count>(n, parameters, args, outlines, Counts{counts});
+    launch<kernels::pens_count>(n, parameters, args.runs, args, args.table, outlines,
+                                Counts{counts});
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::pens_write>(std::max(n, 1U), parameters, args, outlines, RunOffsets{counts});
+    launch<kernels::pens_write>(std::max(n, 1U), parameters, args.runs, args, args.table, outlines,
+                                DrawnRuns{args.drawn.runs, args.drawn.record}, RunOffsets{counts});
 }
 
 void Stages::density(const DensityArgs& args) {
     const glm::ivec2 cells = density_cells(args.viewport);
     const auto plane = static_cast<std::uint32_t>(cells.x * cells.y);
     const std::size_t planes = std::size_t{LA_DENSITY_BINS} * plane;
-    const std::uint32_t items = std::min(args.run_capacity, most_items_in_turns);
+    const std::uint32_t items = std::min(args.runs.capacity, most_items_in_turns);
     const auto cell = static_cast<float>(density_cell(args.viewport));
     DensityParameters parameters{.cells = cells,
                                  .cell = cell,
@@ -158,7 +160,7 @@ void Stages::density(const DensityArgs& args) {
     else
         device_.upload(args.grid, std::as_bytes(args.drawn_before));
     launch<kernels::density_lines>(items, parameters, args.table, args.atlas.clipped, args.atlas,
-                                   args);
+                                   args.runs, args);
     launch<kernels::density_smooth>(LA_DENSITY_BINS * plane, parameters,
                                     {.grid = args.grid, .smooth = smooth});
     const auto share_out = [&] {

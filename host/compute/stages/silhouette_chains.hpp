@@ -40,8 +40,7 @@ class SilhouetteChains {
 
     /// `stages` must outlive it.
     explicit SilhouetteChains(Stages& stages, Contours drawn)
-        : stages_(stages), device_(stages.device()), drawn_(drawn), tables_(device_, table::chain) {
-    }
+        : stages_(stages), device_(stages.device()), drawn_(drawn) {}
 
     /// Gives up its tables: those of a large model may not fit beside another's.
     void release();
@@ -59,7 +58,7 @@ class SilhouetteChains {
     template <class Clock>
     SegmentTable table_of(const SegmentTable& candidates, bool wanted, const SilhouetteView& view,
                           Clock&& clock) {
-        tables_.fit(Table::front, candidates.triangle_count);
+        tables_.front.fit(candidates.triangle_count);
         if (!wanted || candidates.candidates.count == 0) return without(candidates);
         clock("facing", [&] { stages_.facing({candidates, view.eye, front()}); });
         return find(candidates, front(), view, clock);
@@ -68,14 +67,14 @@ class SilhouetteChains {
     /// find itself.
     void take(TracedSilhouettes traced) { traced_ = std::move(traced); }
     /// Whether triangles face the eye in that frame; a byte each.
-    Buffer& front() const { return tables_[Table::front]; }
+    Buffer& front() const { return *tables_.front; }
     /// The last step of table_of(), of a table that has candidates.
     template <class Clock>
     SegmentTable find(const SegmentTable& candidates, Buffer& front, const SilhouetteView& view,
                       Clock&& clock) {
-        tables_.make_room(Table::numbers, (candidates.candidates.count + 1ULL) * sizeof(la_uint));
+        tables_.numbers.make_room((candidates.candidates.count + 1ULL) * sizeof(la_uint));
         const bool has_contours = candidates.candidates.contours.has_value();
-        if (has_contours) clock("contour", [&] { contour(candidates, view); });
+        if (has_contours) clock("contour", [&] { contour(candidates, view.eye); });
         clock("silhouette", [&] { list(candidates, front); });
         const std::uint32_t found = count_;
         count_ += static_cast<std::uint32_t>(traced_.segments.size());
@@ -97,7 +96,11 @@ class SilhouetteChains {
 
   private:
     SegmentTable without(const SegmentTable& table);
-    void contour(const SegmentTable& table, const SilhouetteView& view);
+    void contour(const SegmentTable& table, const glm::vec4& eye);
+    ChainArgs args(const SegmentTable& table, const SilhouetteView& view,
+                   std::uint32_t count) const {
+        return {table, view, drawn_ == Contours::lifted, count, tables_, positions_before_};
+    }
     void list(const SegmentTable& table, Buffer& front);
     /// found: silhouettes that the device has found; traced ones follow them.
     void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view,
@@ -111,26 +114,6 @@ class SilhouetteChains {
     SegmentTable with_chains(const SegmentTable& table) const;
     void copy_fixed(const SegmentTable& table);
 
-    enum class Table {
-        front,
-        // Per candidate:
-        numbers,
-        positions,
-        // Per silhouette:
-        ordered,
-        chosen,
-        ways,
-        longer,
-        going,
-        places,
-        starts,
-        origins,
-        // Where there are contours:
-        vertices,
-        crossings,
-        count
-    };
-
     Stages& stages_;
     Device& device_; ///< of stages_
     Contours drawn_;
@@ -142,7 +125,7 @@ class SilhouetteChains {
     const Buffer* fixed_of_ = nullptr; ///< the table whose fixed lines stand in `ordered`
     /// The table whose vertices stand in `vertices`, and their SegmentTable::version.
     std::pair<const Buffer*, std::uint64_t> vertices_of_{};
-    GrowingTables<Table> tables_;
+    ChainTables tables_{&device_};
 };
 
 } // namespace lineatlas::compute

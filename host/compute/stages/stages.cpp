@@ -1,8 +1,6 @@
 // From the model to clipped segments with their places in the atlas.
 #include "stages.hpp"
 
-#include "divide_up.hpp"
-
 namespace lineatlas::compute {
 
 void Stages::transform(const TransformArgs& args) {
@@ -47,7 +45,7 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
                                      .depth_scale = 1,
                                      .tolerance = 0,
                                      .numbered = args.numbers != nullptr ? 1U : 0U,
-                                     .batched = args.batches != nullptr ? args.batches->count : 0,
+                                     .batched = args.batches.count,
                                      .overhang = args.centre_overhang};
     if (const OcclusionTest* test = args.occlusion) {
         parameters.hidden = test->keep_clipped ? LA_HIDDEN_CLIPPED : LA_HIDDEN_DROPPED;
@@ -58,16 +56,15 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     return parameters;
 }
 
-/// Tables that project_clip may do without. Then other tables, which are not read, stand for them.
-struct ClipTables {
-    Buffer &batches, &states, &tiles, &numbers;
+struct Tiles {
+    Buffer* tiles;
 };
-ClipTables may_be_absent(const ProjectClipArgs& args) {
-    Buffer& any = args.table.vertices;
-    return {.batches = args.batches != nullptr ? args.batches->boxes : any,
-            .states = args.batches != nullptr ? args.batches->states : any,
-            .tiles = args.occlusion != nullptr ? args.occlusion->tiles : any,
-            .numbers = args.numbers != nullptr ? *args.numbers : any};
+struct ScanTables {
+    Buffer &values, &sums;
+};
+
+Tiles tiles_of(const ProjectClipArgs& args) {
+    return {args.occlusion != nullptr ? &args.occlusion->tiles : nullptr};
 }
 
 } // namespace
@@ -75,12 +72,14 @@ ClipTables may_be_absent(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(args.batches->batches(), parameters, may_be_absent(args));
+    launch<kernels::project_clip_batches>(args.batches.batch_count(), parameters, args.batches,
+                                          tiles_of(args));
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
     launch<kernels::project_clip>(args.table.segment_count, parameters_of(args), args.table,
-                                  may_be_absent(args), args, args.out, Counts{args.out.offsets});
+                                  args.batches, tiles_of(args), args, args.out,
+                                  Counts{args.out.offsets});
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
@@ -94,24 +93,20 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
         const std::uint32_t chunks =
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
         const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
-        Buffer& sums = scratch(Scratch::scan_sums, chunks);
-        launch_grouped<kernels::scan_chunks_reduce>(
-            chunks, 1, parameters, {values, sums}, kernel_of<kernels::scan_chunks_reduce>(variant));
-        launch_grouped<kernels::scan_chunks_apply>(chunks, 1, parameters, {values, sums},
-                                                   kernel_of<kernels::scan_chunks_apply>(variant));
+        const ScanTables tables{values, scratch(Scratch::scan_sums, chunks)};
+        launch_variant<kernels::scan_chunks_reduce>(variant, chunks, 1, parameters, tables);
+        launch_variant<kernels::scan_chunks_apply>(variant, chunks, 1, parameters, tables);
         return;
     }
-    const std::uint32_t items = divide_up(n, tuning_.scan_per_item);
-    const std::uint32_t tiles = divide_up(items, tuning_.scan_tile);
+    const std::uint32_t group = tuning_.scan_tile;
+    const std::uint32_t items = divide_up(n, tuning_.scan_per_item),
+                        tiles = divide_up(items, group);
     const ScanParameters parameters{.n = n, .chunk = 0};
-    Buffer& sums = scratch(Scratch::scan_sums, tiles);
-    launch_grouped<kernels::scan_tiles_reduce>(items, tuning_.scan_tile, parameters, {values, sums},
-                                               kernel_of<kernels::scan_tiles_reduce>(variant));
-    launch_grouped<kernels::scan_tiles_sums>(tuning_.scan_tile, tuning_.scan_tile,
-                                             {.n = tiles, .chunk = 0}, {sums},
-                                             kernel_of<kernels::scan_tiles_sums>(variant));
-    launch_grouped<kernels::scan_tiles_apply>(items, tuning_.scan_tile, parameters, {values, sums},
-                                              kernel_of<kernels::scan_tiles_apply>(variant));
+    const ScanTables tables{values, scratch(Scratch::scan_sums, tiles)};
+    launch_variant<kernels::scan_tiles_reduce>(variant, items, group, parameters, tables);
+    launch_variant<kernels::scan_tiles_sums>(variant, group, group, {.n = tiles, .chunk = 0},
+                                             tables);
+    launch_variant<kernels::scan_tiles_apply>(variant, items, group, parameters, tables);
 }
 
 } // namespace lineatlas::compute

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <concepts>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,9 +22,6 @@ struct Counts {
 struct Offsets {
     Buffer& offsets;
 };
-struct BatchBoxes {
-    Buffer& batches;
-};
 struct BlockOffsets {
     Buffer& block_offsets;
 };
@@ -36,7 +31,10 @@ struct BlockOffsets {
 class Stages {
   public:
     /// `device` must outlive it.
-    explicit Stages(Device& device) : device_(device), tuning_(device.tuning()) {}
+    explicit Stages(Device& device) : device_(device), tuning_(device.tuning()) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(Scratch::count); ++i)
+            scratch_.emplace_back(device, table::work_space);
+    }
 
     Device& device() const { return device_; }
 
@@ -46,22 +44,43 @@ class Stages {
                 const typename K::Tables& tables) {
         launch_grouped<K>(items, tuning_.local_size, parameters, tables);
     }
-    /// Each table is taken by its name from the first of `groups` that has it.
+    /// Each table is taken by its name from the first of `groups` that has it. Another table, which
+    /// is not read, stands for one that is null there.
     template <class K, class... Groups>
-    requires(sizeof...(Groups) > 0 && (!std::same_as<Groups, typename K::Tables> &&
-                                       ...)) void launch(std::uint32_t items,
-                                                         const typename K::Parameters& parameters,
-                                                         const Groups&... groups) {
+    void launch(std::uint32_t items, const typename K::Parameters& parameters,
+                const Groups&... groups) {
         launch_grouped<K>(items, tuning_.local_size, parameters, groups...);
     }
     /// Launches a kernel whose only parameter is the number of its elements.
     template <class K>
     void launch_each(std::uint32_t count, const typename K::Tables& tables) {
-        launch<K>(count, CountParameters{count}, tables);
+        launch_grouped<K>(count, tuning_.local_size, CountParameters{count}, tables);
     }
     template <class K, class... Groups>
     void launch_each(std::uint32_t count, const Groups&... groups) {
-        launch<K>(count, CountParameters{count}, groups...);
+        launch_grouped<K>(count, tuning_.local_size, CountParameters{count}, groups...);
+    }
+    /// As launch(), in work-groups of `group`.
+    template <class K, class... Groups>
+    void launch_grouped(std::uint32_t items, std::uint32_t group,
+                        const typename K::Parameters& parameters, const Groups&... groups) {
+        launch_variant<K>(0, items, group, parameters, groups...);
+    }
+    /// The same of one of the kernel's variants, see kernel_of().
+    template <class K, class... Groups>
+    void launch_variant(std::uint32_t variant, std::uint32_t items, std::uint32_t group,
+                        const typename K::Parameters& parameters, const Groups&... groups) {
+        if (items == 0) return;
+        const Kernel& kernel = kernel_of<K>(variant);
+        auto list = K::list_of(groups...);
+        Buffer* stand_in = nullptr;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (kernel.tables[i].access != Access::in) ++list[i]->writes_;
+            if (stand_in == nullptr) stand_in = list[i];
+        }
+        for (Buffer*& table : list)
+            if (table == nullptr) table = stand_in;
+        device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
     }
 
     void transform(const TransformArgs& args);
@@ -71,10 +90,13 @@ class Stages {
     void pyramid(const PyramidArgs& args);
     void cull(const CullArgs& args);
     void facing(const FacingArgs& args);
-    void contour(const ContourArgs& args);
-    void silhouette(const SilhouetteArgs& args);
-    void silhouette_list(const SilhouetteListArgs& args);
-    void contour_places(const ContourPlacesArgs& args);
+    /// Which faces contours cross.
+    void contour(const SegmentTable& table, const glm::vec4& eye, const ChainTables& tables);
+    /// Which candidates are silhouettes. `front`: of `facing`.
+    void silhouette(const SegmentTable& table, Buffer& front, const ChainTables& tables);
+    void silhouette_list(const SilhouetteCandidates& candidates, const ChainTables& tables);
+    /// Where contours cross faces. Call contour() for the same eye before.
+    void contour_places(const ChainArgs& args, Buffer& front);
     void chain(const ChainArgs& args);
     /// Finds those of args.batches that lie outside the frustum or, if `drops_hidden`, behind the
     /// pyramid. Then the pyramid must be that of numbered triangles, and nobody may need lengths of
@@ -87,14 +109,7 @@ class Stages {
     void atlas(const AtlasArgs& args);
     void temporal(const TemporalArgs& args);
     void intervals(const IntervalsArgs& args);
-    void surfaces(const ExactArgs& args);
-    /// Finds batches of segments or triangles that lie outside the picture or, if `drops_hidden`,
-    /// behind faces that cover whole tiles. Call after occluders are found.
-    void surfaces_batches(const ExactArgs& args, const BatchTable& batches, bool drops_hidden);
-    void tile_lists(const ExactArgs& args);
-    void visible(const ExactArgs& args); ///< waits if Tuning::face_lists
-    /// The last step of visible() alone, for a table of spans that was too small for it.
-    void visible_write(const ExactArgs& args);
+
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
     void outline_seen(const OutlineSeenArgs& args);
@@ -109,41 +124,6 @@ class Stages {
     void list_strokes(const StrokeListArgs& args);
     void draw_strokes(const StrokeArgs& args);
 
-  private:
-    // With Tuning::face_lists: does the work of tile_lists_arrange.
-    void arrange_by_entries(const ExactArgs& args, const ExactParameters& parameters,
-                            Buffer& ranges);
-    /// Does the work of visible_count piece by piece, for each segment in each tile. Waits.
-    void count_pieces(const ExactArgs& args, const ExactParameters& parameters);
-    template <class K>
-    void launch_grouped(std::uint32_t items, std::uint32_t group,
-                        const typename K::Parameters& parameters, const typename K::Tables& tables,
-                        const Kernel& kernel = kernel_of<K>()) {
-        if (items == 0) return;
-        const auto list = K::list(tables);
-        for (std::size_t i = 0; i < list.size(); ++i)
-            if (kernel.tables[i].access != Access::in) ++list[i]->writes_;
-        device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
-    }
-    template <class K, class... Groups>
-    requires(sizeof...(Groups) > 0 &&
-             (!std::same_as<Groups, typename K::Tables> &&
-              ...)) void launch_grouped(std::uint32_t items, std::uint32_t group,
-                                        const typename K::Parameters& parameters,
-                                        const Groups&... groups) {
-        launch_grouped<K>(items, group, parameters, K::tables_of(groups...));
-    }
-
-    /// The blank tiles of `args`, or a table in which nothing is known to be blank.
-    Buffer& blank_tiles(const DepthArgs& args);
-    /// Where Tuning::depth_each, what depth_order and depth_tiles do.
-    void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
-    /// The order of the clusters, and where each stands in it.
-    void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
-                        Buffer& positions);
-    /// Of what `wanted` asks for, per block of segments, scanned.
-    Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
-                        const SpanTable& spans, const SpansParameters& parameters);
     /// Tables that stages keep from call to call only for their memory.
     enum class Scratch {
         scan_sums,
@@ -182,13 +162,26 @@ class Stages {
     };
     /// A table with room for at least `count` uint32.
     Buffer& scratch(Scratch name, std::size_t count) {
-        scratch_.make_room(name, count * sizeof(la_uint));
-        return scratch_[name];
+        scratch_[static_cast<std::size_t>(name)].make_room(count * sizeof(la_uint));
+        return scratch(name);
     }
+    /// The same table as it is.
+    Buffer& scratch(Scratch name) const { return *scratch_[static_cast<std::size_t>(name)]; }
 
+  private:
+    /// The blank tiles of `args`, or a table in which nothing is known to be blank.
+    Buffer& blank_tiles(const DepthArgs& args);
+    /// Where Tuning::depth_each, what depth_order and depth_tiles do.
+    void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
+    /// The order of the clusters, and where each stands in it.
+    void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
+                        Buffer& positions);
+    /// Of what `wanted` asks for, per block of segments, scanned.
+    Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
+                        const SpanTable& spans, const SpansParameters& parameters);
     Device& device_;
-    const Tuning& tuning_; ///< of device_
-    GrowingTables<Scratch> scratch_{device_, table::work_space};
+    const Tuning& tuning_;       ///< of device_
+    std::vector<Table> scratch_; ///< by Scratch
     Table halo_lists_{device_, table::halo_lists};
 };
 

@@ -1,17 +1,13 @@
 // `strokes` by kernels: lists runs by tiles of the picture, and draws the tiles.
 #include <algorithm>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
 namespace {
 
-/// What strokes are drawn by, beside their arguments.
-struct StrokePlaces {
+struct Boxes {
     Buffer& boxes;
-    Buffer& mark;
-    Buffer& weights;
 };
 
 } // namespace
@@ -38,10 +34,10 @@ void Stages::list_strokes(const StrokeListArgs& args) {
     const std::size_t ends = stroke_ends(tuning_, args.viewport);
     device_.clear(args.lists.ends, ends * sizeof(la_uint));
     launch_grouped<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters,
-                                           args, Counts{args.lists.ends});
+                                           args.runs, Counts{args.lists.ends});
     scan(args.lists.ends, static_cast<std::uint32_t>(ends - 1), ScanKind::saturate);
     launch_grouped<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters,
-                                          args, args.lists);
+                                          args.runs, args.lists);
 }
 
 void Stages::draw_strokes(const StrokeArgs& args) {
@@ -69,30 +65,21 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                  .cells = args.weights != nullptr ? density_cells(args.viewport)
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
-    Buffer& unread = args.lists.ends; // any
-    Buffer& weights = args.weights != nullptr ? *args.weights : unread;
-    Buffer& mark = args.mark != nullptr ? *args.mark : unread;
-    Buffer& boxes = scratch(Scratch::stroke_boxes, tuning_.stroke_pixels
-                                                       ? std::size_t{args.run_count} *
-                                                             (sizeof(StrokeBox) / sizeof(la_uint))
-                                                       : 1);
-    if (tuning_.stroke_pixels) {
-        launch<kernels::strokes_boxes>(
-            args.run_count, parameters,
-            {.runs = args.runs, .alpha = args.alpha, .weights = weights, .boxes = boxes});
-    }
+    constexpr std::size_t box_words = sizeof(StrokeBox) / sizeof(la_uint);
+    const Boxes boxes{
+        scratch(Scratch::stroke_boxes, tuning_.stroke_pixels ? args.run_count * box_words : 1)};
+    if (tuning_.stroke_pixels)
+        launch<kernels::strokes_boxes>(args.run_count, parameters, args, boxes);
     // No list is longer than all runs are; no loop than the device allows.
     do {
         parameters.begin = parameters.end;
         parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);
-        const StrokePlaces places{.boxes = boxes, .mark = mark, .weights = weights};
         if (tuning_.stroke_pixels) {
             const std::uint32_t pixels = LA_STROKE_TILE * LA_STROKE_TILE / tuning_.depth_lanes;
-            launch<kernels::strokes_pixels>(tile_count * pixels, parameters, places, args,
+            launch<kernels::strokes_pixels>(tile_count * pixels, parameters, boxes, args,
                                             args.lists);
         } else {
-            launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, places, args,
-                                                   args.lists);
+            launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, args, args.lists);
         }
         parameters.again = 1;
     } while (parameters.end < args.run_count);

@@ -60,27 +60,34 @@ inline constexpr TableName alpha_before{"alpha before", atlas},
     offsets_before{"offsets before", segments}, ranges_before{"ranges before", segments},
     positions_before{"positions before", segments};
 
-// Of stages that keep several, in the order of their own enumerations.
-inline constexpr TableName chain[]{
-    {"chain front", segments},      {"chain numbers", segments}, {"chain positions", segments},
-    {"chain ordered", segments},    {"chain chosen", segments},  {"chain ways", segments},
-    {"chain longer", segments},     {"chain going", segments},   {"chain places", segments},
-    {"chain starts", segments},     {"chain origins", segments}, {"contour vertices", segments},
-    {"contour crossings", segments}};
-inline constexpr TableName carry[]{
-    {"carry memory", segments}, {"carry lengths", segments},  {"carry found", segments},
-    {"carry kept", segments},   {"carry breaks", segments},   {"carry means", segments},
-    {"carry pieces", segments}, {"carry recalled", segments}, {"carry list", segments},
-    {"carry shifts", segments}, {"carried", segments}};
-inline constexpr TableName exact_lists[]{
-    {"exact screen", exact},         {"exact faces", exact},        {"exact planes", exact},
-    {"exact kept", exact},           {"exact span offsets", exact}, {"exact occluders", exact},
-    {"exact ends", exact},           {"exact groups", exact},       {"exact entries", exact},
-    {"exact blocks", exact},         {"exact boxes", exact},        {"exact spans", exact},
-    {"exact numbers", exact},        {"exact seen", exact},         {"exact pushed", exact},
-    {"exact part offsets", exact},   {"exact parts", exact},        {"exact beside kept", exact},
-    {"exact beside offsets", exact}, {"exact beside spans", exact}, {"exact within kept", exact},
-    {"exact within offsets", exact}, {"exact within spans", exact}};
+// Of stages that keep several.
+inline constexpr TableName chain_front{"chain front", segments},
+    chain_numbers{"chain numbers", segments}, chain_positions{"chain positions", segments},
+    chain_ordered{"chain ordered", segments}, chain_chosen{"chain chosen", segments},
+    chain_ways{"chain ways", segments}, chain_longer{"chain longer", segments},
+    chain_going{"chain going", segments}, chain_places{"chain places", segments},
+    chain_starts{"chain starts", segments}, chain_origins{"chain origins", segments},
+    contour_vertices{"contour vertices", segments},
+    contour_crossings{"contour crossings", segments};
+inline constexpr TableName carry_memory{"carry memory", segments},
+    carry_lengths{"carry lengths", segments}, carry_found{"carry found", segments},
+    carry_kept{"carry kept", segments}, carry_breaks{"carry breaks", segments},
+    carry_means{"carry means", segments}, carry_pieces{"carry pieces", segments},
+    carry_recalled{"carry recalled", segments}, carry_list{"carry list", segments},
+    carry_shifts{"carry shifts", segments}, carried{"carried", segments};
+inline constexpr TableName exact_screen{"exact screen", exact}, exact_faces{"exact faces", exact},
+    exact_planes{"exact planes", exact}, exact_kept{"exact kept", exact},
+    exact_span_offsets{"exact span offsets", exact}, exact_occluders{"exact occluders", exact},
+    exact_ends{"exact ends", exact}, exact_groups{"exact groups", exact},
+    exact_entries{"exact entries", exact}, exact_blocks{"exact blocks", exact},
+    exact_boxes{"exact boxes", exact}, exact_spans{"exact spans", exact},
+    exact_numbers{"exact numbers", exact}, exact_seen{"exact seen", exact},
+    exact_pushed{"exact pushed", exact}, exact_part_offsets{"exact part offsets", exact},
+    exact_parts{"exact parts", exact}, exact_beside_kept{"exact beside kept", exact},
+    exact_beside_offsets{"exact beside offsets", exact},
+    exact_beside_spans{"exact beside spans", exact}, exact_within_kept{"exact within kept", exact},
+    exact_within_offsets{"exact within offsets", exact},
+    exact_within_spans{"exact within spans", exact};
 
 /// Work space of kernels, whatever the stage.
 inline constexpr TableName work_space{"work space", scratch};

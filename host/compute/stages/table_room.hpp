@@ -1,12 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
-#include <utility>
 
 #include "table_list.hpp"
 
@@ -73,38 +71,9 @@ class Table {
     std::unique_ptr<Buffer> buffer_;
 };
 
-/// The tables of a stage, by the enumerators of an enumeration that ends in `count`.
-template <class Name>
-class GrowingTables {
-  public:
-    /// `names`: in the order of the enumeration; must outlive them.
-    GrowingTables(Device& device, const TableName (&names)[static_cast<std::size_t>(Name::count)])
-        : tables_(make(
-              device, [&](std::size_t i) -> const TableName& { return names[i]; },
-              std::make_index_sequence<index(Name::count)>{})) {}
-    /// All tables get one name.
-    GrowingTables(Device& device, const TableName& name)
-        : tables_(make(
-              device, [&](std::size_t) -> const TableName& { return name; },
-              std::make_index_sequence<index(Name::count)>{})) {}
-
-    bool fit(Name name, std::uint64_t bytes) { return tables_[index(name)].fit(bytes); }
-    bool make_room(Name name, std::uint64_t bytes) { return tables_[index(name)].make_room(bytes); }
-    Buffer& operator[](Name name) const { return *tables_[index(name)]; }
-    bool has(Name name) const { return static_cast<bool>(tables_[index(name)]); }
-    void release() {
-        for (Table& table : tables_) table.release();
-    }
-
-  private:
-    static constexpr std::size_t index(Name name) { return static_cast<std::size_t>(name); }
-    template <class NameOf, std::size_t... I>
-    static std::array<Table, sizeof...(I)> make(Device& device, const NameOf& name,
-                                                std::index_sequence<I...>) {
-        return {Table{device, name(I)}...};
-    }
-
-    std::array<Table, index(Name::count)> tables_;
-};
+/// The table for a launch; null without room. See kernels.hpp.
+inline Buffer* address_of(const Table& table) {
+    return table.get();
+}
 
 } // namespace lineatlas::compute

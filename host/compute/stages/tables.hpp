@@ -12,6 +12,10 @@
 
 namespace lineatlas::compute {
 
+constexpr std::uint32_t divide_up(std::uint32_t n, std::uint32_t by) {
+    return n / by + (n % by != 0 ? 1 : 0);
+}
+
 /// Where silhouettes of smooth surfaces may run: LineSet::contours on the device.
 struct ContourTables {
     Buffer* corners = nullptr;      ///< `ContourCorner` each
@@ -58,11 +62,11 @@ struct SegmentTable {
 
 /// The first segments, or triangles, of a table in batches; see kernels/shared/batches.h.
 struct BatchTable {
-    Buffer& boxes;       ///< `Batch` each
-    Buffer& states;      ///< a byte each: LA_BATCH_*, of the current frame
-    std::uint32_t count; ///< segments, or triangles
+    Buffer* batches = nullptr; ///< `Batch` each
+    Buffer* states = nullptr;  ///< a byte each: LA_BATCH_*, of the current frame
+    std::uint32_t count = 0;   ///< segments, or triangles
 
-    std::uint32_t batches() const { return (count + LA_BATCH - 1) / LA_BATCH; }
+    std::uint32_t batch_count() const { return divide_up(count, LA_BATCH); }
 };
 
 /// `project_clip`'s and `scan`'s results: the clipped segment table.
@@ -77,6 +81,20 @@ struct SegmentAtlas {
     ClippedTable clipped;
     Buffer& alpha;          ///< a byte per sample, 0 hidden to 255 visible
     std::uint32_t capacity; ///< samples that `alpha` has room for
+};
+
+/// Runs, and how many there are.
+struct RunTable {
+    Buffer& runs;           ///< `Run` each
+    Buffer& record;         ///< one `FrameRecord`: points[0] runs
+    std::uint32_t capacity; ///< runs that there is room for
+};
+
+/// Where intervals are written.
+struct IntervalRoom {
+    Buffer& intervals;      ///< `Interval` each; none if there are more than it has room for
+    std::uint32_t capacity; ///< of `intervals`
+    Buffer& interval_total; ///< one uint32, how many there are
 };
 
 /// The surfaces in a depth buffer, for probes that know surfaces.

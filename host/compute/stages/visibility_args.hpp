@@ -33,8 +33,8 @@ struct ProjectClipArgs {
     /// A uint32 per triangle: its number in the order of the clusters. If it is not null, own faces
     /// become these numbers, for probes that know surfaces.
     Buffer* numbers = nullptr;
-    /// States of batches of the first segments; null: each segment is looked at alone.
-    const BatchTable* batches = nullptr;
+    /// Batches of the first segments; without any, each segment is looked at alone.
+    BatchTable batches{};
     float centre_overhang = 0; ///< pixels by which centre lines are longer at either end
 };
 
@@ -70,8 +70,8 @@ struct History {
 /// The segments of a frame that are silhouettes in chains, and where they came from.
 struct ChainOrder {
     std::uint32_t first; ///< the first of these segments
-    Buffer& origins;     ///< ChainArgs::origins
-    Buffer& positions;   ///< ChainArgs::positions, of `candidates`
+    Buffer& origins;     ///< ChainTables::origins
+    Buffer& positions;   ///< ChainTables::positions, of `candidates`
     std::uint32_t candidates;
     Buffer& positions_before; ///< in: of the frame before, 0 if it had none; out: of this one
 };
@@ -92,9 +92,7 @@ struct IntervalsArgs {
     DepthBuffer depth;
     /// Hidden pieces too; then ClippedTable::clipped must be there for hidden segments.
     bool hidden_too;
-    Buffer& intervals; ///< out: `Interval` each; none if there are more than it has room for
-    std::uint32_t interval_capacity;
-    Buffer& interval_total; ///< out: one uint32, how many there are
+    IntervalRoom into; ///< out
 };
 
 } // namespace lineatlas::compute

@@ -1,7 +1,6 @@
 // Stages of samples: their visibility, its average over time, and the intervals that are read back.
 #include <algorithm>
 
-#include "divide_up.hpp"
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -10,36 +9,28 @@ void Stages::atlas(const AtlasArgs& args) {
     constexpr std::uint32_t variants = 4; // of probes per axis, whole and then tiled
     const DepthTile tile = args.tile != nullptr ? *args.tile : DepthTile{};
     const std::uint32_t variant = args.probes - 1 + (args.tile != nullptr ? variants : 0);
-    launch_grouped<kernels::atlas>(
-        divide_up(args.atlas.capacity, tuning_.atlas_block), tuning_.block_local_size,
-        {.count = args.segment_count,
-         .depth_size = args.depth.size,
-         .viewport = args.viewport,
-         .depth_scale = args.depth.scale,
-         .tolerance = args.depth.tolerance,
-         .surfaces = args.depth.surface_parameters(),
-         .capacity = args.atlas.capacity,
-         .block = tuning_.atlas_block,
-         .origin = tile.origin,
-         .core = {tile.core_low, tile.core_high}},
-        kernels::atlas::tables_of(args.atlas.clipped, args.atlas, args.depth.tables()),
-        kernel_of<kernels::atlas>(variant));
+    launch_variant<kernels::atlas>(variant, divide_up(args.atlas.capacity, tuning_.atlas_block),
+                                   tuning_.block_local_size,
+                                   {.count = args.segment_count,
+                                    .depth_size = args.depth.size,
+                                    .viewport = args.viewport,
+                                    .depth_scale = args.depth.scale,
+                                    .tolerance = args.depth.tolerance,
+                                    .surfaces = args.depth.surface_parameters(),
+                                    .capacity = args.atlas.capacity,
+                                    .block = tuning_.atlas_block,
+                                    .origin = tile.origin,
+                                    .core = {tile.core_low, tile.core_high}},
+                                   args.atlas.clipped, args.atlas, args.depth.tables());
 }
 
 namespace {
 
 /// The tables of the frame before.
 struct BeforeTables {
-    Buffer &offsets_before, &before, &origins, &positions_before;
+    Buffer &offsets_before, &before;
+    Buffer *origins = nullptr, *positions_before = nullptr; ///< of chains, if there are any
 };
-BeforeTables before_of(const TemporalArgs& args) {
-    const ChainOrder* chains = args.chains;
-    Buffer& any = args.atlas.clipped.offsets; // if there are no chains
-    return {.offsets_before = args.history.offsets,
-            .before = args.history.alpha,
-            .origins = chains != nullptr ? chains->origins : any,
-            .positions_before = chains != nullptr ? chains->positions_before : any};
-}
 
 } // namespace
 
@@ -47,14 +38,18 @@ void Stages::temporal(const TemporalArgs& args) {
     const std::uint32_t n = args.segment_count;
     const SegmentAtlas& atlas = args.atlas;
     const ChainOrder* chains = args.chains;
+    BeforeTables before{args.history.offsets, args.history.alpha};
+    if (chains != nullptr) {
+        before.origins = &chains->origins;
+        before.positions_before = &chains->positions_before;
+    }
     launch_grouped<kernels::temporal>(divide_up(n, tuning_.segment_block), tuning_.block_local_size,
                                       {.count = n,
                                        .capacity = atlas.capacity,
                                        .block = tuning_.segment_block,
                                        .history = args.use,
                                        .first = chains != nullptr ? chains->first : n},
-                                      args.atlas.clipped, args.atlas, args.history,
-                                      before_of(args));
+                                      args.atlas.clipped, args.atlas, args.history, before);
     if (chains != nullptr) {
         device_.copy(chains->positions, chains->positions_before,
                      std::size_t{chains->candidates} * sizeof(la_uint));
@@ -74,7 +69,7 @@ void Stages::intervals(const IntervalsArgs& args) {
                                          .wanted = args.hidden_too ? 3U : 1U,
                                          .block = tuning_.segment_block,
                                          .blocks = blocks,
-                                         .interval_capacity = args.interval_capacity,
+                                         .interval_capacity = args.into.capacity,
                                          .depth_size = args.depth.size,
                                          .depth_scale = args.depth.scale,
                                          .tolerance = args.depth.tolerance,
@@ -86,10 +81,10 @@ void Stages::intervals(const IntervalsArgs& args) {
                                              Counts{counts});
     scan(counts, blocks, ScanKind::saturate);
     launch_grouped<kernels::intervals_write>(items, tuning_.block_local_size, parameters,
-                                             args.table, args.atlas.clipped, args.atlas, args,
+                                             args.table, args.atlas.clipped, args.atlas, args.into,
                                              BlockOffsets{counts});
-    launch<kernels::intervals_refine>(args.interval_capacity, parameters, args.table,
-                                      args.atlas.clipped, args.depth.tables(), args);
+    launch<kernels::intervals_refine>(args.into.capacity, parameters, args.table,
+                                      args.atlas.clipped, args.depth.tables(), args.into);
 }
 
 } // namespace lineatlas::compute
