@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -19,36 +21,29 @@ constexpr std::uint32_t none = 0xFFFFFFFF;
 class CurveFinder {
   public:
     CurveFinder(PlaneCut& cut, const PlaneFrame& plane)
-        : cut_(cut), mesh_(cut.mesh), plane_(plane), first_number_(mesh_.edge_curves.size()) {
-        for (const KnownEdge& edge : mesh_.known_edges)
-            first_number_ = std::max(first_number_, std::size_t{edge.edge} + 1);
-        first_number_ = std::max(first_number_, mesh_.edge_entities.size());
+        : cut_(cut), mesh_(cut.mesh), plane_(plane) {
         for (const SurfaceShape& shape : mesh_.surfaces.shapes)
-            shapes_.push_back(plain_shape(shape));
+            plain_shapes_.push_back(plain_shape(shape));
     }
 
     void find() {
         for (const CutStep& step : cut_.steps) curve_of_step_.push_back(curve_of(step));
         if (curves_.empty()) return;
         move_places();
+        number_curves();
         for (std::size_t i = 0; i < cut_.steps.size(); ++i)
             if (curve_of_step_[i] != none)
                 mesh_.known_edges.push_back({.from = cut_.steps[i].from,
                                              .to = cut_.steps[i].to,
                                              .kind = KnownEdge::Kind::wire,
-                                             .edge = number_of(curve_of_step_[i])});
-        mesh_.edge_curves.resize(first_number_);
-        mesh_.edge_entities.resize(first_number_);
-        for (const Curve& curve : curves_) {
-            mesh_.edge_curves.emplace_back(curve.ellipse);
-            mesh_.edge_entities.push_back(mesh_.surfaces.surfaces[curve.surface].entity);
-        }
+                                             .edge = curves_[curve_of_step_[i]].number});
     }
 
   private:
     struct Curve {
         std::uint32_t surface;
         EdgeCurve ellipse;
+        std::uint32_t number = none; ///< of its edge
     };
 
     /// What a place of the cut lies on: a curve, or else the line of a step.
@@ -58,21 +53,43 @@ class CurveFinder {
     };
 
     glm::dvec3 at(std::uint32_t position) const { return glm::dvec3{mesh_.positions[position]}; }
-    std::uint32_t number_of(std::uint32_t curve) const {
-        return static_cast<std::uint32_t>(first_number_ + curve);
+
+    /// Gives curves numbers that no edge has. Files may number theirs as they like.
+    void number_curves() {
+        std::set<std::uint32_t> taken;
+        for (const KnownEdge& edge : mesh_.known_edges) taken.insert(edge.edge);
+        std::size_t number = std::max(mesh_.edge_curves.size(), mesh_.edge_entities.size());
+        for (Curve& curve : curves_) {
+            while (taken.contains(static_cast<std::uint32_t>(number))) ++number;
+            curve.number = static_cast<std::uint32_t>(number++);
+            mesh_.edge_curves.resize(number);
+            mesh_.edge_entities.resize(number);
+            mesh_.edge_curves.back() = curve.ellipse;
+            mesh_.edge_entities.back() = mesh_.surfaces.surfaces[curve.surface].entity;
+        }
     }
 
+    /// A vector in the coordinates in which an ellipse is the unit circle.
+    static glm::dvec2 unrolled(const EdgeCurve& curve, glm::dvec3 way) {
+        return {glm::dot(way, curve.u) / glm::dot(curve.u, curve.u),
+                glm::dot(way, curve.v) / glm::dot(curve.v, curve.v)};
+    }
+
+    /// The place of an ellipse in the direction of another from its centre.
     static glm::dvec3 nearest(const EdgeCurve& curve, glm::dvec3 place) {
-        const glm::dvec3 out = place - curve.center;
-        const glm::dvec2 flat{glm::dot(out, curve.u) / glm::dot(curve.u, curve.u),
-                              glm::dot(out, curve.v) / glm::dot(curve.v, curve.v)};
-        const glm::dvec2 on = flat / glm::length(flat);
-        return curve.center + on.x * curve.u + on.y * curve.v;
+        const glm::dvec2 out = glm::normalize(unrolled(curve, place - curve.center));
+        return curve.center + out.x * curve.u + out.y * curve.v;
     }
 
-    /// Whether both ends of a step are as near to a curve as chords of it that are not long are.
+    double longest_side(std::uint32_t triangle) const {
+        const glm::uvec3 t = mesh_.triangles[triangle];
+        return std::max({glm::distance(at(t.x), at(t.y)), glm::distance(at(t.y), at(t.z)),
+                         glm::distance(at(t.z), at(t.x))});
+    }
+
+    /// Whether both ends of a step are as near to a curve as triangles of its size are.
     bool is_along(const CutStep& step, const EdgeCurve& curve) const {
-        const double most_off = 0.25 * glm::distance(at(step.from), at(step.to));
+        const double most_off = 0.25 * longest_side(step.triangle);
         return glm::distance(nearest(curve, at(step.from)), at(step.from)) < most_off &&
                glm::distance(nearest(curve, at(step.to)), at(step.to)) < most_off;
     }
@@ -86,8 +103,9 @@ class CurveFinder {
         for (const std::uint32_t curve : known)
             if (is_along(step, curves_[curve].ellipse)) return curve;
         const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
-        const std::optional<SurfaceCurve> curve = plane_section(
-            shapes_[placed.shape], placed, plane_.origin, plane_.normal, parameters_of(step));
+        const std::optional<SurfaceCurve> curve =
+            plane_section(mesh_.surfaces.shapes[placed.shape], plain_shapes_[placed.shape], placed,
+                          plane_.origin, plane_.normal, parameters_of(step));
         if (!curve) return none;
         const EdgeCurve ellipse{.center = curve->point, .u = curve->u, .v = curve->v};
         if (!is_along(step, ellipse)) return none;
@@ -102,33 +120,105 @@ class CurveFinder {
         return mesh_.surfaces.parameters[step.triangle][static_cast<std::size_t>(corner)];
     }
 
+    /// What the cut follows at each place, and how far the place may be moved along the plane.
+    struct Guides {
+        std::vector<Guide> all;
+        double reach = 0;
+    };
+
     void move_places() {
-        std::map<std::uint32_t, std::vector<Guide>> guides;
+        std::map<std::uint32_t, Guides> places;
         for (std::size_t i = 0; i < cut_.steps.size(); ++i) {
             const CutStep& step = cut_.steps[i];
             const Guide guide{.curve = curve_of_step_[i],
                               .from = at(step.from),
                               .way = at(step.to) - at(step.from)};
-            guides[step.from].push_back(guide);
-            guides[step.to].push_back(guide);
+            for (const std::uint32_t position : {step.from, step.to}) {
+                Guides& guides = places[position];
+                guides.reach = std::max(guides.reach, 0.25 * longest_side(step.triangle));
+                if (guide.curve != none || !is_of_curves(step)) guides.all.push_back(guide);
+            }
         }
-        for (const auto& [position, all] : guides)
-            if (std::ranges::any_of(all, [](const Guide& one) { return one.curve != none; }))
-                mesh_.positions[position] = plane_.placed(met(at(position), all));
+        for (auto& [position, guides] : places)
+            move(position, met(at(position), guides.all), guides);
         // Where the plane goes through an edge of the file, curves may meet smoothly.
         for (const KnownEdge& edge : mesh_.known_edges)
             for (const std::uint32_t position : {edge.from, edge.to})
-                if (guides.contains(position) && edge.edge < mesh_.edge_curves.size() &&
+                if (places.contains(position) && edge.edge < mesh_.edge_curves.size() &&
                     mesh_.edge_curves[edge.edge])
-                    mesh_.positions[position] =
-                        plane_.placed(through(*mesh_.edge_curves[edge.edge], at(position)));
+                    move(position, through(*mesh_.edge_curves[edge.edge], at(position)),
+                         places[position]);
     }
 
-    /// The place nearby where the plane goes through a curve.
-    glm::dvec3 through(const EdgeCurve& curve, glm::dvec3 place) const {
+    /// Whether the plane cuts the surface of a step in a curve elsewhere, so that the step is a
+    /// chord and no line.
+    bool is_of_curves(const CutStep& step) const {
+        const auto found = curves_of_surface_.find(mesh_.surfaces.of_triangle[step.triangle]);
+        return found != curves_of_surface_.end() && !found->second.empty();
+    }
+
+    void move(std::uint32_t position, std::optional<glm::dvec3> to, const Guides& guides) {
+        const bool is_on_curve =
+            std::ranges::any_of(guides.all, [](const Guide& one) { return one.curve != none; });
+        if (is_on_curve && to && glm::distance(*to, at(position)) < guides.reach)
+            mesh_.positions[position] = plane_.placed(*to);
+    }
+
+    /// The place nearby where two guides meet, or the nearest one on the curve if all are one, or
+    /// if two meet smoothly.
+    std::optional<glm::dvec3> met(glm::dvec3 place, std::span<const Guide> guides) const {
+        const auto first =
+            std::ranges::find_if(guides, [](const Guide& one) { return one.curve != none; });
+        if (first == guides.end()) return std::nullopt;
+        const EdgeCurve& curve = curves_[first->curve].ellipse;
+        const auto other = std::ranges::find_if(
+            guides, [&](const Guide& one) { return one.curve != first->curve; });
+        std::optional<glm::dvec3> result;
+        if (other != guides.end())
+            result = other->curve == none ? on_line(curve, other->from, other->way, place)
+                                          : crossing(curve, curves_[other->curve].ellipse, place);
+        return result ? result : nearest(curve, place);
+    }
+
+    /// The place of an ellipse on a line, the nearer one of two.
+    static std::optional<glm::dvec3> on_line(const EdgeCurve& curve, glm::dvec3 from,
+                                             glm::dvec3 way, glm::dvec3 place) {
+        const glm::dvec2 p = unrolled(curve, from - curve.center), d = unrolled(curve, way);
+        const double a = glm::dot(d, d), b = glm::dot(p, d), c = glm::dot(p, p) - 1;
+        const double root = std::sqrt(b * b - a * c);
+        if (!(root >= 0) || !(a > 0)) return std::nullopt;
+        const glm::dvec3 one = from + (-b - root) / a * way, two = from + (-b + root) / a * way;
+        return glm::distance(one, place) < glm::distance(two, place) ? one : two;
+    }
+
+    /// The place where two ellipses cross, by Newton's method.
+    std::optional<glm::dvec3> crossing(const EdgeCurve& a, const EdgeCurve& b,
+                                       glm::dvec3 place) const {
+        for (int i = 0; i < 16; ++i) {
+            const glm::dvec2 at_a = unrolled(a, place - a.center),
+                             at_b = unrolled(b, place - b.center);
+            const glm::dvec2 off{glm::dot(at_a, at_a) - 1, glm::dot(at_b, at_b) - 1};
+            const auto change = [&](const EdgeCurve& curve, glm::dvec2 at) {
+                return 2.0 * glm::dvec2{glm::dot(at, unrolled(curve, plane_.u)),
+                                        glm::dot(at, unrolled(curve, plane_.v))};
+            };
+            const glm::dvec2 by_a = change(a, at_a), by_b = change(b, at_b);
+            const double turn = by_a.x * by_b.y - by_a.y * by_b.x;
+            constexpr double smooth = 0.02; // sine of the angle between curves that do not cross
+            if (!(std::abs(turn) > smooth * glm::length(by_a) * glm::length(by_b)))
+                return std::nullopt;
+            const glm::dvec2 step =
+                glm::dvec2{by_b.y * off.x - by_a.y * off.y, by_a.x * off.y - by_b.x * off.x} / turn;
+            place -= step.x * plane_.u + step.y * plane_.v;
+        }
+        return place;
+    }
+
+    /// The place nearby where the plane goes through a curve. None if it only touches it.
+    std::optional<glm::dvec3> through(const EdgeCurve& curve, glm::dvec3 place) const {
         const double u = glm::dot(curve.u, plane_.normal), v = glm::dot(curve.v, plane_.normal);
         const double share = -plane_.distance(curve.center) / std::hypot(u, v);
-        if (!(std::abs(share) <= 1)) return place; // the plane is that of the curve, or touches it
+        if (!(std::abs(share) <= 1)) return std::nullopt;
         const double top = std::atan2(v, u), aside = std::acos(share);
         const auto at = [&](double angle) {
             return curve.center + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
@@ -137,30 +227,10 @@ class CurveFinder {
         return glm::distance(one, place) < glm::distance(other, place) ? one : other;
     }
 
-    /// The place nearby where guides meet, by projecting to each in turn; lines first.
-    glm::dvec3 met(glm::dvec3 place, std::vector<Guide> guides) const {
-        std::ranges::stable_sort(guides, std::greater{}, &Guide::curve);
-        constexpr int most_turns = 64;
-        for (int turn = 0; turn < most_turns; ++turn) {
-            const glm::dvec3 before = place;
-            for (const Guide& guide : guides) place = projected(guide, place);
-            if (place == before) break;
-        }
-        return place;
-    }
-
-    glm::dvec3 projected(const Guide& guide, glm::dvec3 place) const {
-        if (guide.curve != none) return nearest(curves_[guide.curve].ellipse, place);
-        const double squared = glm::dot(guide.way, guide.way);
-        if (!(squared > 0)) return place;
-        return guide.from + glm::dot(place - guide.from, guide.way) / squared * guide.way;
-    }
-
     PlaneCut& cut_;
     Mesh& mesh_;
     const PlaneFrame& plane_;
-    std::size_t first_number_;         ///< of edges, after those of the file
-    std::vector<SurfaceShape> shapes_; ///< plain ones
+    std::vector<SurfaceShape> plain_shapes_; ///< of KnownSurfaces::shapes
     std::vector<Curve> curves_;
     std::map<std::uint32_t, std::vector<std::uint32_t>> curves_of_surface_;
     std::vector<std::uint32_t> curve_of_step_; ///< or none

@@ -24,23 +24,31 @@ glm::dvec3 from_axis(const SurfaceShape& shape, glm::dvec3 place) {
     return out - glm::dot(out, shape.axis) * shape.axis;
 }
 
-/// The circle about the axis at the height of a plane, by Newton's method along the curve.
-std::optional<SurfaceCurve> across_axis(const SurfaceShape& shape, const Plane& plane,
-                                        glm::dvec2 at) {
-    const double height = glm::dot(plane.point - shape.point, shape.axis);
-    SurfacePoint place = evaluate(shape, at);
-    for (int i = 0; i < 8; ++i) {
-        const double rise = glm::dot(place.v, shape.axis);
-        if (!(std::abs(rise) > straight * glm::length(place.v))) return std::nullopt; // level there
-        at.y += (height - glm::dot(place.at - shape.point, shape.axis)) / rise;
-        place = evaluate(shape, at);
+/// The place of a surface on a plane, by Newton's method from the place of two parameters.
+std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane, glm::dvec2 at) {
+    for (int i = 0; i < 12; ++i) {
+        const SurfacePoint place = evaluate(shape, at);
+        const double distance = glm::dot(place.at - plane.point, plane.normal);
+        const double u = glm::length(place.u), v = glm::length(place.v);
+        if (std::abs(distance) <= 1e-12 * (glm::length(place.at) + u + v)) return place.at;
+        // Each parameter moves the place by as much as it turns it to the plane.
+        const glm::dvec2 slope{u > 0 ? glm::dot(place.u, plane.normal) / u : 0,
+                               v > 0 ? glm::dot(place.v, plane.normal) / v : 0};
+        const double gain = glm::dot(slope, slope);
+        if (!(gain > straight * straight)) return std::nullopt;
+        at -= distance / gain * glm::dvec2{u > 0 ? slope.x / u : 0, v > 0 ? slope.y / v : 0};
     }
-    const glm::dvec3 out = from_axis(shape, place.at);
+    return std::nullopt;
+}
+
+/// The circle about the axis through a place.
+std::optional<SurfaceCurve> around_axis(const SurfaceShape& plain, glm::dvec3 place) {
+    const glm::dvec3 out = from_axis(plain, place);
     if (!(glm::length(out) > 0)) return std::nullopt;
     return SurfaceCurve{.kind = SurfaceCurve::Kind::ellipse,
-                        .point = shape.point + height * shape.axis,
+                        .point = place - out,
                         .u = out,
-                        .v = glm::cross(shape.axis, out)};
+                        .v = glm::cross(plain.axis, out)};
 }
 
 /// The square of the distance from the axis as a polynomial of the height above `shape.point`.
@@ -92,19 +100,18 @@ std::optional<SurfaceCurve> aslant(const SurfaceShape& shape, const Plane& plane
                         .v = std::sqrt(size) * sideways};
 }
 
-std::optional<SurfaceCurve> section_of(const SurfaceShape& shape, const Plane& plane,
-                                       glm::dvec2 at) {
-    if (glm::length(glm::cross(plane.normal, shape.axis)) < straight)
-        return across_axis(shape, plane, at);
-    if (const std::optional<SurfaceCurve> ellipse = aslant(shape, plane)) return ellipse;
-    const glm::dvec3 place = evaluate(shape, at).at;
-    const bool holds_axis = std::abs(glm::dot(plane.normal, shape.axis)) < straight &&
-                            std::abs(glm::dot(plane.normal, plane.point - shape.point)) <
-                                straight * glm::length(place - shape.point);
-    if (!holds_axis) return std::nullopt;
-    const glm::dvec3 aside = glm::cross(shape.axis, plane.normal);
-    return meridian_ellipse(shape,
-                            std::copysign(1, glm::dot(aside, from_axis(shape, place))) * aside);
+std::optional<SurfaceCurve> section_of(const SurfaceShape& shape, const SurfaceShape& plain,
+                                       const Plane& plane, glm::dvec2 at) {
+    const bool is_across = glm::length(glm::cross(plane.normal, plain.axis)) < straight;
+    if (!is_across)
+        if (const std::optional<SurfaceCurve> ellipse = aslant(plain, plane)) return ellipse;
+    const std::optional<glm::dvec3> place = place_on(shape, plane, at);
+    if (!place) return std::nullopt;
+    if (is_across) return around_axis(plain, *place);
+    const bool holds_axis = std::abs(glm::dot(plane.normal, plain.axis)) < straight &&
+                            std::abs(glm::dot(plane.normal, plane.point - plain.point)) <
+                                straight * glm::length(*place - plain.point);
+    return holds_axis ? meridian_ellipse(plain, from_axis(plain, *place)) : std::nullopt;
 }
 
 } // namespace
@@ -130,18 +137,21 @@ std::optional<SurfaceCurve> meridian_ellipse(const SurfaceShape& shape, glm::dve
                         .v = turned(curve.v)};
 }
 
-std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const PlacedSurface& placed,
-                                          glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at) {
-    if (shape.kind != SurfaceShape::Kind::revolution) return std::nullopt;
+std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const SurfaceShape& plain,
+                                          const PlacedSurface& placed, glm::dvec3 point,
+                                          glm::dvec3 normal, glm::dvec2 at) {
+    if (plain.kind != SurfaceShape::Kind::revolution) return std::nullopt;
     const glm::dmat4x3& m = placed.model_from_shape;
     const glm::dmat3 axes{m[0], m[1], m[2]};
     const Plane plane{glm::inverse(axes) * (point - m[3]),
                       glm::normalize(glm::transpose(axes) * normal)};
-    std::optional<SurfaceCurve> curve = section_of(shape, plane, at);
+    std::optional<SurfaceCurve> curve = section_of(shape, plain, plane, at);
     if (!curve) return std::nullopt;
     curve->point = m * glm::dvec4{curve->point, 1};
     curve->u = axes * curve->u;
     curve->v = axes * curve->v;
+    const double skew = std::abs(glm::dot(curve->u, curve->v));
+    if (!(skew <= straight * glm::length(curve->u) * glm::length(curve->v))) return std::nullopt;
     return curve;
 }
 

@@ -13,10 +13,12 @@ namespace lineatlas {
 /// out from it: an ellipse. None where the curve is no ellipse, or not in a plane with the axis.
 std::optional<SurfaceCurve> meridian_ellipse(const SurfaceShape& shape, glm::dvec3 out);
 
-/// The circle or ellipse in which a plane cuts a plain surface of revolution (plain_shape()) near
-/// the place of two parameters: cylinders, cones and spheres where they are cut so, and others
-/// across the axis or along it. None of any other curve.
-std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const PlacedSurface& placed,
-                                          glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at);
+/// The circle or ellipse in which a plane cuts a surface of revolution near the place of two
+/// parameters: cylinders, cones and spheres where they are cut so, and others across the axis or
+/// along it. `plain` is plain_shape() of the shape. None of any other curve, or where the surface
+/// is placed with another scale along another axis.
+std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const SurfaceShape& plain,
+                                          const PlacedSurface& placed, glm::dvec3 point,
+                                          glm::dvec3 normal, glm::dvec2 at);
 
 } // namespace lineatlas

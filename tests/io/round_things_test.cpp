@@ -9,15 +9,20 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -438,7 +443,6 @@ TEST_F(RoundThings, SilhouettesAroundTheAxisOfViewAreCircles) {
     EXPECT_NEAR(radii[1] / 25, 1, 1e-5);
 }
 
-/// SVG has the names of edges and faces from the file.
 /// What a drawing's lines are: the arcs, and the length of what is straight, both in the model's
 /// units.
 struct Parts {
@@ -531,6 +535,93 @@ TEST_F(RoundThings, SectionsAlongTheAxisAreLinesAndQuarters) {
     EXPECT_NEAR(parts.straight, 20 + 2 * 27 + 14, 1e-3);
 }
 
+/// The places of outlines of cuts.
+std::vector<glm::dvec3> places_of_cut(const Mesh& mesh) {
+    std::vector<glm::dvec3> places;
+    for (std::size_t i = 0; i < mesh.polylines.size(); ++i)
+        if (mesh.polyline_kind[i] == PolylineKind::section)
+            for (const std::uint32_t position : mesh.polylines[i])
+                places.emplace_back(mesh.positions[position]);
+    return places;
+}
+
+// Where its flat meets the round, the cut's curve ends on a line at a sharp angle.
+TEST_F(RoundThings, SteepCutsOfAShaftKeepItsCorners) {
+    const TopoDS_Shape round = BRepPrimAPI_MakeCylinder(10, 200).Shape();
+    const TopoDS_Shape flat = BRepPrimAPI_MakeBox(gp_Pnt(8, -20, -1), 20, 40, 300).Shape();
+    const Mesh shaft = load("a.brep", to_brep(BRepAlgoAPI_Cut(round, flat).Shape())).mesh;
+    for (int turn = 0; turn < 180; turn += 10) {
+        SCOPED_TRACE(turn);
+        const double angle = turn * std::numbers::pi / 180;
+        const glm::dvec3 normal{4 * std::cos(angle), 4 * std::sin(angle), 1}; // 76 degrees
+        const Mesh cut =
+            cut_mesh(shaft, std::vector<SectionPlane>{{.point = {0, 0, 100}, .normal = normal}})
+                .mesh;
+        std::size_t corners = 0;
+        for (const glm::dvec3& place : places_of_cut(cut)) {
+            const double radius = std::hypot(place.x, place.y);
+            EXPECT_TRUE(std::abs(radius - 10) < 1e-4 || std::abs(place.x - 8) < 1e-4);
+            EXPECT_LT(std::max(radius - 10, place.x - 8), 1e-4);
+            corners += std::abs(radius - 10) < 1e-4 && std::abs(place.x - 8) < 1e-4 ? 1 : 0;
+        }
+        EXPECT_GE(corners, 2U);
+    }
+}
+
+// Two pipes meet along a spline, where two ellipses of the cut cross.
+TEST_F(RoundThings, CutsOfATeeStayOnItsPipes) {
+    const TopoDS_Shape one =
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -30), gp_Dir(0, 0, 1)), 5, 60).Shape();
+    const TopoDS_Shape other =
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-30, 0, 0), gp_Dir(1, 0, 0)), 4, 60).Shape();
+    const Mesh tee = load("a.brep", to_brep(BRepAlgoAPI_Fuse(one, other).Shape())).mesh;
+    const std::vector<glm::dvec3> normals{{1, 0, 1}, {1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 3, 1}};
+    for (const glm::dvec3& normal : normals) {
+        SCOPED_TRACE(normal.x * 100 + normal.y * 10 + normal.z);
+        const Mesh cut = cut_mesh(tee, std::vector<SectionPlane>{{.normal = normal}}).mesh;
+        for (const glm::dvec3& place : places_of_cut(cut)) {
+            const double off_one = std::hypot(place.x, place.y) - 5;
+            const double off_other = std::hypot(place.y, place.z) - 4;
+            EXPECT_NEAR(std::min(off_one, off_other), 0, 0.01) << place.x << "," << place.y;
+        }
+    }
+}
+
+/// A bottle, whose curve is a spline.
+TopoDS_Shape bottle() {
+    TColgp_Array1OfPnt poles(1, 4);
+    poles.SetValue(1, gp_Pnt(5, 0, 0));
+    poles.SetValue(2, gp_Pnt(12, 0, 5));
+    poles.SetValue(3, gp_Pnt(2, 0, 12));
+    poles.SetValue(4, gp_Pnt(6, 0, 20));
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)).Edge();
+    return BRepPrimAPI_MakeRevol(edge, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1))).Shape();
+}
+
+// As files have them that write splines alone.
+TEST_F(RoundThings, SectionsOfSplinesAreCurvesWhereTheyAreRound) {
+    const auto sections = [&](const TopoDS_Shape& shape, glm::dvec3 normal) {
+        const TopoDS_Shape spline = BRepBuilderAPI_NurbsConvert(shape).Shape();
+        VectorDrawing drawn = drawing(
+            "a.brep", to_brep(spline), "isometric", {1000, 800}, Projection::orthographic,
+            {{.point = normal.z == 1 ? glm::dvec3{0, 0, 2} : glm::dvec3{0}, .normal = normal}});
+        std::erase_if(drawn.paths, [](const VectorPath& path) {
+            return !path.visible || path.kind != LineKind::section;
+        });
+        return parts_of(drawn, scale_of(view_, 800));
+    };
+    const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+    for (const glm::dvec3& normal : {glm::dvec3{0, 0, 1}, glm::dvec3{-1, 1, 0}}) {
+        const Parts parts = sections(torus, normal);
+        EXPECT_GE(parts.arcs.size(), 2U);
+        EXPECT_EQ(parts.straight, 0);
+    }
+    const Parts across = sections(bottle(), {0, 0, 1});
+    EXPECT_GE(across.arcs.size(), 1U);
+    EXPECT_EQ(across.straight, 0);
+    EXPECT_GT(sections(bottle(), {-1, 1, 0.5}).straight, 0); // no circle or ellipse
+}
+
 TEST_F(RoundThings, ASectionAslantIsOneEllipse) {
     const double share = std::tan(std::numbers::pi / 6);
     VectorDrawing drawn =
@@ -546,6 +637,7 @@ TEST_F(RoundThings, ASectionAslantIsOneEllipse) {
     EXPECT_NEAR(std::abs(drawn.paths[0].curves[0].arc.sweep), 2 * std::numbers::pi, 1e-9);
 }
 
+/// SVG has the names of edges and faces from the file.
 TEST_F(RoundThings, TagsNameEntities) {
     const std::string step =
         to_step({{"pin", BRepPrimAPI_MakeCylinder(2, 8).Shape(), {gp_Trsf{}}}});

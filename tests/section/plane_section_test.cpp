@@ -49,7 +49,8 @@ std::optional<SurfaceCurve> cut(const SurfaceShape& shape, glm::dvec3 point, glm
     const glm::dmat3 axes{place.model_from_shape};
     const glm::dvec3 through = place.model_from_shape * glm::dvec4{point, 1},
                      across = axes * normal;
-    const std::optional<SurfaceCurve> curve = plane_section(shape, place, through, across, at);
+    const std::optional<SurfaceCurve> curve =
+        plane_section(shape, shape, place, through, across, at);
     if (!curve) return curve;
     EXPECT_EQ(curve->kind, SurfaceCurve::Kind::ellipse);
     EXPECT_NEAR(glm::dot(curve->u, curve->v), 0, 1e-9);
@@ -104,6 +105,12 @@ TEST(PlaneSection, ToriAreCutInCirclesAcrossTheirAxisAndAlongIt) {
     EXPECT_FALSE(cut(torus, {0, 0, 0}, {1, 0, 1}, {0.3, 0.6}));
 }
 
+TEST(PlaneSection, PlacesThatAreLargerAlongOneAxisHaveNone) {
+    PlacedSurface place;
+    place.model_from_shape = glm::dmat4x3{glm::scale(glm::dmat4{1}, glm::dvec3{1, 2, 1})};
+    EXPECT_FALSE(plane_section(cylinder, cylinder, place, {0, 0, 3}, {0.3, 0.4, 1}, {0.3, 2}));
+}
+
 // A barrel, whose curve is a B-spline.
 TEST(PlaneSection, AnySurfaceOfRevolutionIsCutInACircleAcrossItsAxis) {
     SurfaceShape barrel{.axis = axis};
@@ -112,7 +119,8 @@ TEST(PlaneSection, AnySurfaceOfRevolutionIsCutInACircleAcrossItsAxis) {
     barrel.curve.poles = {{5, 0, 0, 1}, {8, 0, 4, 1}, {4, 0, 10, 1}};
     const PlacedSurface place = placed();
     const glm::dvec3 height = place.model_from_shape * glm::dvec4{0, 0, 6, 1};
-    const auto circle = plane_section(barrel, place, height, place.model_from_shape[2], {1, 0.4});
+    const auto circle =
+        plane_section(barrel, barrel, place, height, place.model_from_shape[2], {1, 0.4});
     ASSERT_TRUE(circle);
     // The place of the curve at that height, where 2 t^2 + 8 t = 6.
     const glm::dvec3 on = evaluate(barrel, {0, std::sqrt(7.0) - 2}).at;
