@@ -133,7 +133,8 @@ TEST_F(Tool, KernelsAreMeasuredOfOnePicture) {
     const std::string draw = "draw --scene clevis --size 200x150 -o ";
     expect_refused(draw + path("c.png") + " --kernels k.txt", 2, ".json or .csv or .svg");
     expect_refused(draw + path("%d.png") + " --turntable 2 --kernels -", 2, "one picture");
-    expect_refused(draw + path("c.png") + " --compare-with cpp --kernels -", 2, "no other device");
+    expect_refused(draw + path("c.png") + " --compare-with cpp --kernels -", 2,
+                   "leave out --turntable, --camera-path and --compare-with");
     expect_refused(draw + path("c.svg") + " --kernels " + path("c.svg"), 2, "c.svg");
 }
 

@@ -45,7 +45,8 @@ class Watch {
     std::vector<float> told_;
 };
 
-/// Stops the call at each of its reports, and expects no report after that.
+/// Stops the call at each of its reports, and expects no report after that. Threads that work on
+/// one step may tell of it together, so that a call has a report less than another time.
 template <class Call>
 void expect_stops_everywhere(const Call& call) {
     Watch whole;
@@ -53,8 +54,15 @@ void expect_stops_everywhere(const Call& call) {
     const std::size_t asked = whole.told().size();
     for (std::size_t most = 1; most <= asked; ++most) {
         Watch watch{most};
-        EXPECT_THROW(call(watch.progress()), Cancelled) << most;
-        EXPECT_EQ(watch.told().size(), most);
+        bool is_stopped = false;
+        try {
+            call(watch.progress());
+        } catch (const Cancelled&) {
+            is_stopped = true;
+        }
+        EXPECT_LE(watch.told().size(), most);
+        EXPECT_EQ(is_stopped, watch.told().size() == most) << most;
+        EXPECT_TRUE(is_stopped || most + 2 >= asked) << most;
     }
 }
 
