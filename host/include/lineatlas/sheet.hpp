@@ -197,10 +197,10 @@ struct SeenLines {
     /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
     std::vector<VectorFill> fills{}; ///< of a style that fills: find_fills() finds them
-    /// Set for a section: the lines and the mesh of the model that was cut. They stay with who
-    /// found them, until the next view is asked for.
+    /// Of a section, the lines of the model that was cut. Their owner is who found them; they live
+    /// until the next view is asked for.
     const LineSet* lines = nullptr;
-    const Mesh* mesh = nullptr;
+    const Mesh* mesh = nullptr; ///< of a section, the model that was cut, as long-lived as `lines`
 };
 
 /// Finds what `camera` sees of lines. Hidden intervals are needed too, because a style may close
