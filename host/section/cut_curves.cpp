@@ -21,10 +21,7 @@ constexpr std::uint32_t none = 0xFFFFFFFF;
 class CurveFinder {
   public:
     CurveFinder(PlaneCut& cut, const PlaneFrame& plane)
-        : cut_(cut), mesh_(cut.mesh), plane_(plane) {
-        for (const SurfaceShape& shape : mesh_.surfaces.shapes)
-            plain_shapes_.push_back(plain_shape(shape));
-    }
+        : cut_(cut), mesh_(cut.mesh), plane_(plane), plain_shapes_(mesh_.surfaces.shapes.size()) {}
 
     void find() {
         for (const CutStep& step : cut_.steps) curve_of_step_.push_back(curve_of(step));
@@ -104,7 +101,7 @@ class CurveFinder {
             if (is_along(step, curves_[curve].ellipse)) return curve;
         const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
         const std::optional<SurfaceCurve> curve =
-            plane_section(mesh_.surfaces.shapes[placed.shape], plain_shapes_[placed.shape], placed,
+            plane_section(mesh_.surfaces.shapes[placed.shape], plain_of(placed.shape), placed,
                           plane_.origin, plane_.normal, parameters_of(step));
         if (!curve) return none;
         const EdgeCurve ellipse{.center = curve->point, .u = curve->u, .v = curve->v};
@@ -112,6 +109,12 @@ class CurveFinder {
         known.push_back(static_cast<std::uint32_t>(curves_.size()));
         curves_.push_back({surface, ellipse});
         return known.back();
+    }
+
+    const SurfaceShape& plain_of(std::uint32_t shape) {
+        std::optional<SurfaceShape>& plain = plain_shapes_[shape];
+        if (!plain) plain = plain_shape(mesh_.surfaces.shapes[shape]);
+        return *plain;
     }
 
     glm::dvec2 parameters_of(const CutStep& step) const {
@@ -230,7 +233,7 @@ class CurveFinder {
     PlaneCut& cut_;
     Mesh& mesh_;
     const PlaneFrame& plane_;
-    std::vector<SurfaceShape> plain_shapes_; ///< of KnownSurfaces::shapes
+    std::vector<std::optional<SurfaceShape>> plain_shapes_; ///< of those that the plane cuts
     std::vector<Curve> curves_;
     std::map<std::uint32_t, std::vector<std::uint32_t>> curves_of_surface_;
     std::vector<std::uint32_t> curve_of_step_; ///< or none
