@@ -19,14 +19,16 @@ figure() { # TABLE ROW
     sed -n "s/^$2 *\([0-9.]*\) %.*/\1/p" "$1"
 }
 
-pieces() { # SVG; its paths, and their arcs
-    echo "$(grep -o '<path' "$1" | wc -l) | $(grep -o ' d="[^"]*"' "$1" | tr -cd A | wc -c)"
+pieces() { # SVG DRAWING; its paths, and its arcs: as commands of FreeCAD's SVG, or as curves of our JSON
+    local arcs
+    arcs=$(($(grep -o ' d="[^"]*"' "$1" | tr -cd A | wc -c) + $(grep -o '"major"' "$2" | wc -l)))
+    echo "$(grep -o '<path' "$1" | wc -l) | $arcs"
 }
 
 report() { # PROGRAM SECONDS MEGABYTES SVG DRAWING
     local table=$folder/$name-$1.txt
     "$tool" check "$5" "$model" --worst 20 >"$table"
-    printf '| %s | %s | %s | %s | %s | %s / %s | %s / %s |\n' "$name" "$1" "$2" "$3" "$(pieces "$4")" \
+    printf '| %s | %s | %s | %s | %s | %s / %s | %s / %s |\n' "$name" "$1" "$2" "$3" "$(pieces "$4" "$5")" \
         "$(figure "$table" "missed within 1.5 px")" "$(figure "$table" "false within 1.5 px")" \
         "$(figure "$table" "missed within 0.5 px")" "$(figure "$table" "false within 0.5 px")"
 }
