@@ -39,7 +39,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                        places = to_device(device, vertices),
                        corners_of = to_device(device, face_corners),
                        front = to_device(device, std::vector<std::uint8_t>(n, 1));
-    const auto crossed = std::make_shared<compute::ChainTables>(&device);
+    const auto crossed = std::make_shared<compute::ChainTables>(compute::ChainTables{&device});
     crossed->numbers.fit(n * sizeof(std::uint32_t));
     // Made of what a job owns: the tables themselves own nothing.
     const auto table = [=] {
@@ -64,7 +64,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
         number_values.push_back(static_cast<std::uint32_t>(chosen_values.size()));
     }
     const auto count = static_cast<std::uint32_t>(chosen_values.size());
-    const auto made = std::make_shared<compute::ChainTables>(&device);
+    const auto made = std::make_shared<compute::ChainTables>(compute::ChainTables{&device});
     made->numbers.upload(std::span<const std::uint32_t>{number_values});
     made->chosen.upload(std::span<const std::uint32_t>{chosen_values});
     made->crossings.fit(count * sizeof(compute::ContourCrossing));
