@@ -67,20 +67,21 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
     const auto made = std::make_shared<compute::ChainTables>(compute::ChainTables{&device});
     made->numbers.upload(std::span<const std::uint32_t>{number_values});
     made->chosen.upload(std::span<const std::uint32_t>{chosen_values});
-    made->crossings.fit(count * sizeof(compute::ContourCrossing));
+    const SharedBuffer crossings = device.allocate(count * sizeof(compute::ContourCrossing));
     const auto run = [=, &stages] {
         cross();
         stages.contour_places({.table = table(),
                                .view = {eye, true},
                                .lifted = true,
                                .count = count,
-                               .tables = *made},
+                               .tables = *made,
+                               .crossings = crossings.get()},
                               *front);
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, made, count] {
-                return read_back<std::uint8_t>(device, *made->crossings,
+    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, crossings, count] {
+                return read_back<std::uint8_t>(device, *crossings,
                                                count * sizeof(compute::ContourCrossing));
             }};
 }

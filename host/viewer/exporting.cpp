@@ -157,8 +157,8 @@ ExportOptions suited_to(Purpose purpose, ExportOptions options) {
 }
 
 ExportOptions as_format(FileFormat format, ExportOptions options) {
-    const bool was_for_screen = options.purpose == Purpose::screen ||
-                                (options.purpose_by_format && !options.sheet);
+    const bool was_for_screen =
+        options.purpose == Purpose::screen || (options.purpose_by_format && !options.sheet);
     if (was_for_screen) {
         options.purpose = format == FileFormat::pdf   ? Purpose::print
                           : format == FileFormat::dxf ? Purpose::laser

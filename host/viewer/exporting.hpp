@@ -26,7 +26,7 @@ struct ExportOptions {
     Purpose purpose = Purpose::screen;
     FileFormat format = FileFormat::png;
     bool purpose_by_format = false; ///< it is in place of the screen, see as_format()
-    bool sheet = false; ///< several aligned views in place of the current one
+    bool sheet = false;             ///< several aligned views in place of the current one
     std::vector<std::string> views = SheetOptions{}.views; ///< of a sheet
     bool measures = false;                                 ///< likewise
     /// Pixels of a picture for the screen per pixel of the window and axis.
