@@ -34,7 +34,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     for (std::uint32_t i = 0; i < n; ++i) origin_values.push_back((i << 1U) + 1);
     const std::vector<std::uint32_t> memory_values = make_memory(paths, before);
     const SharedBuffer origins = to_device(device, origin_values);
-    const auto tables = std::make_shared<compute::CarryTables>(&device);
+    const auto tables = std::make_shared<compute::CarryTables>(compute::CarryTables{&device});
     tables->make_room(n, n);
     write(device, *tables->memory, memory_values);
     const RunTables runs{device, on.runs};

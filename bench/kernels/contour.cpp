@@ -39,7 +39,7 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
                        places = to_device(device, vertices),
                        corners_of = to_device(device, face_corners),
                        front = to_device(device, std::vector<std::uint8_t>(n, 1));
-    const auto crossed = std::make_shared<compute::ChainTables>(&device);
+    const auto crossed = std::make_shared<compute::ChainTables>(compute::ChainTables{&device});
     crossed->numbers.fit(n * sizeof(std::uint32_t));
     // Made of what a job owns: the tables themselves own nothing.
     const auto table = [=] {
@@ -64,23 +64,24 @@ Job prepare_contour(compute::Stages& stages, std::uint32_t n) {
         number_values.push_back(static_cast<std::uint32_t>(chosen_values.size()));
     }
     const auto count = static_cast<std::uint32_t>(chosen_values.size());
-    const auto made = std::make_shared<compute::ChainTables>(&device);
+    const auto made = std::make_shared<compute::ChainTables>(compute::ChainTables{&device});
     made->numbers.upload(std::span<const std::uint32_t>{number_values});
     made->chosen.upload(std::span<const std::uint32_t>{chosen_values});
-    made->crossings.fit(count * sizeof(compute::ContourCrossing));
+    const SharedBuffer crossings = device.allocate(count * sizeof(compute::ContourCrossing));
     const auto run = [=, &stages] {
         cross();
         stages.contour_places({.table = table(),
                                .view = {eye, true},
                                .lifted = true,
                                .count = count,
-                               .tables = *made},
+                               .tables = *made,
+                               .crossings = crossings.get()},
                               *front);
         stages.device().finish();
     };
     run();
-    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, made, count] {
-                return read_back<std::uint8_t>(device, *made->crossings,
+    return {.run = run, .bytes = 60.0 * n + 188.0 * count, .result = [&device, crossings, count] {
+                return read_back<std::uint8_t>(device, *crossings,
                                                count * sizeof(compute::ContourCrossing));
             }};
 }

@@ -150,16 +150,21 @@ ExportOptions suited_to(Purpose purpose, ExportOptions options) {
     constexpr std::array formats{FileFormat::png, FileFormat::pdf, FileFormat::svg,
                                  FileFormat::dxf};
     options.purpose = purpose;
+    options.purpose_by_format = false;
     options.format = formats.at(static_cast<std::size_t>(purpose));
     if (purpose == Purpose::screen) options.sheet = false;
     return options;
 }
 
 ExportOptions as_format(FileFormat format, ExportOptions options) {
-    if (options.purpose == Purpose::screen && format == FileFormat::pdf)
-        options.purpose = Purpose::print;
-    if (options.purpose == Purpose::screen && format == FileFormat::dxf)
-        options.purpose = Purpose::laser;
+    const bool was_for_screen =
+        options.purpose == Purpose::screen || (options.purpose_by_format && !options.sheet);
+    if (was_for_screen) {
+        options.purpose = format == FileFormat::pdf   ? Purpose::print
+                          : format == FileFormat::dxf ? Purpose::laser
+                                                      : Purpose::screen;
+        options.purpose_by_format = options.purpose != Purpose::screen;
+    }
     options.format = format;
     return options;
 }

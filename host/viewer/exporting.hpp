@@ -25,7 +25,8 @@ enum class Purpose { screen, print, plotter, laser };
 struct ExportOptions {
     Purpose purpose = Purpose::screen;
     FileFormat format = FileFormat::png;
-    bool sheet = false; ///< several aligned views in place of the current one
+    bool purpose_by_format = false; ///< it is in place of the screen, see as_format()
+    bool sheet = false;             ///< several aligned views in place of the current one
     std::vector<std::string> views = SheetOptions{}.views; ///< of a sheet
     bool measures = false;                                 ///< likewise
     /// Pixels of a picture for the screen per pixel of the window and axis.
@@ -41,7 +42,8 @@ struct ExportOptions {
 ExportOptions suited_to(Purpose purpose, ExportOptions options);
 
 /// The options with a format. PDF and DXF have a page and a scale, which the screen has not: in
-/// place of it they are for print and for a laser.
+/// place of it they are for print and for a laser. With a format that the screen has, and one view,
+/// they are for the screen again.
 ExportOptions as_format(FileFormat format, ExportOptions options);
 
 /// A typed scale as ExportOptions::scale: a factor such as 0.4 becomes "1:2.5", and other text

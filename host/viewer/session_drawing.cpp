@@ -47,6 +47,11 @@ gl::Canvas& cleared(std::unique_ptr<gl::Canvas>& canvas, glm::ivec2 size, glm::v
     return *canvas;
 }
 
+/// Whether two models are one file, perhaps with other parts or cuts.
+bool is_of_same_file(const Model* a, const Model* b) {
+    return a != nullptr && b != nullptr && a->whole == b->whole;
+}
+
 } // namespace
 
 Session::Placement Session::placement() const {
@@ -170,19 +175,20 @@ void Session::renew_sketch(const Picture& picture) {
 bool Session::take_picture(std::chrono::milliseconds longest) {
     if (picture_ == nullptr || !drawing_.wait_for(longest)) return false;
     std::unique_ptr<Picture> done = std::move(picture_);
-    const bool of_other_model = shown_.model != done->model;
     ++frames_drawn_;
     if (done->failure) attempt([&] { std::rethrow_exception(done->failure); });
     refine_failed_ = done->failure && done->refined;
     if (!done->description.empty()) description_ = done->description;
+    bool of_other_file = false;
     if (!done->failure && !done->interrupted && !done->stays) {
+        of_other_file = !is_of_same_file(done->model.get(), shown_.model.get());
         if (done->options[0].profile) ++timings_due_;
         std::swap(shown_, *done);
         if (shown_.tells_pace) pace_.note(shown_.economy, shown_.seconds);
     }
     spare_ = std::move(done->canvases);
     done.reset(); // the picture before, which may be the last to have its model
-    if (of_other_model) give_freed_memory_back();
+    if (of_other_file) give_freed_memory_back();
     return true;
 }
 

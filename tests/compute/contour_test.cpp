@@ -75,11 +75,15 @@ class ContourTest : public StageTest {
         if (count == 0) return found;
         made.numbers.upload(std::span{std::as_const(scanned)});
         made.chosen.upload(std::span{std::as_const(chosen)});
-        made.crossings.fit(count * sizeof(compute::ContourCrossing));
-        stages().contour_places(
-            {.table = table, .view = {eye, true}, .lifted = true, .count = count, .tables = made},
-            *front);
-        found.crossings = get<compute::ContourCrossing>(*made.crossings, count);
+        const auto crossings = device().allocate(count * sizeof(compute::ContourCrossing));
+        stages().contour_places({.table = table,
+                                 .view = {eye, true},
+                                 .lifted = true,
+                                 .count = count,
+                                 .tables = made,
+                                 .crossings = crossings.get()},
+                                *front);
+        found.crossings = get<compute::ContourCrossing>(*crossings, count);
         const auto all = get<glm::vec3>(*vertices, room.size());
         found.vertices.assign(all.begin() + own_vertices, all.end());
         return found;

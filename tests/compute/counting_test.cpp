@@ -5,6 +5,7 @@
 
 #include "compute/cpp/counted_float.hpp"
 #include "compute/cpp/counting_device.hpp"
+#include "compute/kernel_bytes.hpp"
 #include "compute/kernels.hpp"
 #include "compute/transfer.hpp"
 
@@ -49,6 +50,14 @@ TEST_F(Counting, CountsWhatIsTouched) {
         count<kernels::pyramid>(pyramid_of_64_by_32, {depth.get(), tiles.get()}, 4);
     EXPECT_EQ(counts.bytes, 64 * 16 * 4 + 64U);
     EXPECT_EQ(counts.operations, 4 * comparisons);
+}
+
+TEST(BytesMoved, DoNotCountAStandInAgain) {
+    const std::unique_ptr<Device> device = make_device("cpp");
+    const auto small = device->allocate(100), large = device->allocate(1000);
+    const std::array<Buffer*, 3> tables{small.get(), small.get(), large.get()};
+    // It reads two tables and writes one.
+    EXPECT_EQ(bytes_moved({first_variant("silhouette"), {}, tables, 1, 1}), 1100U);
 }
 
 TEST(CountedFloat, CountsEachOperation) {

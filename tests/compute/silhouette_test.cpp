@@ -49,5 +49,17 @@ TEST_P(SilhouetteStage, ListsThem) {
     EXPECT_TRUE(equal(get<std::uint32_t>(*tables.positions, 7), {0, 0, 0, 99, 99, 0, 0}));
 }
 
+TEST_P(SilhouetteStage, AreNotLaunchedOnATableWithoutRoom) {
+    const compute::ChainTables tables{&device()};
+    EXPECT_THROW(stages().silhouette_list({.first = 0, .count = 1}, tables), std::logic_error);
+    const auto one = device().allocate(4);
+    const struct {
+        compute::Buffer &segments, &front;
+        compute::Buffer* numbers;
+    } written_is_absent{*one, *one, nullptr};
+    EXPECT_THROW(stages().launch<compute::kernels::silhouette>(1, {}, written_is_absent),
+                 std::logic_error);
+}
+
 } // namespace
 } // namespace lineatlas::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -36,10 +37,11 @@ class ViewerDriver {
             app_.step(0);
         }
     }
-    /// Shows frames until nothing changes any more.
+    /// Shows frames until nothing changes any more. Throws if that does not come.
     void rest() {
-        constexpr int most = 2000;
-        for (int i = 0; i < most; ++i) {
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point end = Clock::now() + std::chrono::minutes{5};
+        while (Clock::now() < end) {
             const std::uint64_t before = app_.frames_shown();
             app_.step(session().loader.busy() || session().drawing() ? 0.05 : 0);
             const bool busy = session().loader.busy() || session().drawing() ||

@@ -89,6 +89,26 @@ TEST_F(ViewerExport, AScaleIsTyped) {
     EXPECT_EQ(app_.ui().exporting.scale, "");
 }
 
+TEST_F(ViewerExport, TheScreenComesBackWithItsFormats) {
+    using viewer::Purpose;
+    const auto purpose_of = [&](const char* format) {
+        hand_.click(format);
+        return options().purpose;
+    };
+    ASSERT_EQ(options().purpose, Purpose::screen);
+    EXPECT_EQ(purpose_of("export.pdf"), Purpose::print);
+    EXPECT_EQ(purpose_of("export.png"), Purpose::screen);
+    EXPECT_EQ(purpose_of("export.dxf"), Purpose::laser);
+    EXPECT_EQ(purpose_of("export.pdf"), Purpose::print);
+    EXPECT_EQ(purpose_of("export.svg"), Purpose::screen);
+    hand_.click("export.print");
+    EXPECT_EQ(purpose_of("export.png"), Purpose::print) << "chosen by a person";
+    hand_.click("export.screen");
+    EXPECT_EQ(purpose_of("export.pdf"), Purpose::print);
+    hand_.click("export.sheet");
+    EXPECT_EQ(purpose_of("export.png"), Purpose::print) << "the screen has no sheets";
+}
+
 TEST(ViewerScales, AreWrittenAsRatios) {
     EXPECT_EQ(viewer::scale_of_text("0.4"), "1:2.5");
     EXPECT_EQ(viewer::scale_of_text("2"), "2:1");

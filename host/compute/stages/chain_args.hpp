@@ -34,9 +34,8 @@ struct ChainTables {
     Table starts{*device, table::chain_starts}; ///< scratch: a uint32 per silhouette and one more
     Table origins{*device, table::chain_origins}; ///< a uint32 per silhouette, in their new order
     /// Vertices of the mesh, then four places of three floats per silhouette; without contours no
-    /// room, like the next.
+    /// room.
     Table vertices{*device, table::contour_vertices};
-    Table crossings{*device, table::contour_crossings}; ///< `ContourCrossing` per silhouette
 };
 
 /// Where silhouettes are seen from.
@@ -53,6 +52,7 @@ struct ChainArgs {
     bool lifted;
     std::uint32_t count; ///< silhouettes, above 0
     const ChainTables& tables;
+    Buffer* crossings = nullptr; ///< `ContourCrossing` per silhouette; null: no contours
     /// `positions` of the frame before, from which chains keep names and directions; null: there is
     /// none.
     Buffer* positions_before = nullptr;

@@ -42,7 +42,7 @@ void Stages::contour_places(const ChainArgs& args, Buffer& front) {
     parameters.count = args.count;
     parameters.on_surface = args.lifted ? 0 : 1;
     launch<kernels::contour_places>(args.count, parameters, Front{front},
-                                    *args.table.candidates.contours, args.table, args.tables,
+                                    *args.table.candidates.contours, args.table, args.tables, args,
                                     Facing{scratch(Scratch::corner_facing)});
 }
 
@@ -93,7 +93,7 @@ void Stages::chain(const ChainArgs& args) {
         args.count, parameters,
         {.ways = *from, .places = *tables.places, .lengths = *tables.starts});
     scan(*tables.starts, args.count, ScanKind::saturate);
-    launch<kernels::chain_write>(args.count, parameters, tables, args.table);
+    launch<kernels::chain_write>(args.count, parameters, tables, args.table, args);
 }
 
 } // namespace lineatlas::compute

@@ -5,6 +5,7 @@ namespace lineatlas::compute {
 
 void SilhouetteChains::release() {
     tables_ = {&device_};
+    crossings_.release();
     first_ = count_ = 0;
     has_order_ = false;
     fixed_of_ = nullptr;
@@ -54,7 +55,7 @@ void SilhouetteChains::place_contours(const SegmentTable& table, Buffer& front,
     vertices_of_ = own;
     if (!traced.empty()) device_.upload(*tables_.vertices, traced, own_vertices + found_vertices);
     if (found == 0) return;
-    tables_.crossings.make_room(std::uint64_t{found} * sizeof(ContourCrossing));
+    crossings_.make_room(std::uint64_t{found} * sizeof(ContourCrossing));
     stages_.contour_places(args(with_contours(table), view, found), front);
 }
 

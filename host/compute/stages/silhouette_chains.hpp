@@ -99,7 +99,13 @@ class SilhouetteChains {
     void contour(const SegmentTable& table, const glm::vec4& eye);
     ChainArgs args(const SegmentTable& table, const SilhouetteView& view,
                    std::uint32_t count) const {
-        return {table, view, drawn_ == Contours::lifted, count, tables_, positions_before_};
+        return {table,
+                view,
+                drawn_ == Contours::lifted,
+                count,
+                tables_,
+                crossings_.get(),
+                positions_before_};
     }
     void list(const SegmentTable& table, Buffer& front);
     /// found: silhouettes that the device has found; traced ones follow them.
@@ -126,6 +132,7 @@ class SilhouetteChains {
     /// The table whose vertices stand in `vertices`, and their SegmentTable::version.
     std::pair<const Buffer*, std::uint64_t> vertices_of_{};
     ChainTables tables_{&device_};
+    Table crossings_{device_, table::contour_crossings}; ///< ChainArgs::crossings
 };
 
 } // namespace lineatlas::compute

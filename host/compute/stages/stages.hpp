@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "carry_args.hpp"
@@ -45,7 +46,8 @@ class Stages {
         launch_grouped<K>(items, tuning_.local_size, parameters, tables);
     }
     /// Each table is taken by its name from the first of `groups` that has it. Another table, which
-    /// is not read, stands for one that is null there.
+    /// is not read, stands for one that is null there. Throws std::logic_error if the kernel writes
+    /// that one.
     template <class K, class... Groups>
     void launch(std::uint32_t items, const typename K::Parameters& parameters,
                 const Groups&... groups) {
@@ -75,7 +77,10 @@ class Stages {
         auto list = K::list_of(groups...);
         Buffer* stand_in = nullptr;
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (kernel.tables[i].access != Access::in) ++list[i]->writes_;
+            const bool is_written = kernel.tables[i].access != Access::in;
+            if (is_written && list[i] == nullptr)
+                throw std::logic_error{"a launch lacks a table that its kernel writes"};
+            if (is_written) ++list[i]->writes_;
             if (stand_in == nullptr) stand_in = list[i];
         }
         for (Buffer*& table : list)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <stdexcept>
 
 #include "table_list.hpp"
 
@@ -71,8 +72,9 @@ class Table {
     std::unique_ptr<Buffer> buffer_;
 };
 
-/// The table for a launch; null without room. See kernels.hpp.
+/// The table for a launch, see kernels.hpp. Throws std::logic_error for one without room.
 inline Buffer* address_of(const Table& table) {
+    if (!table) throw std::logic_error{"a launch takes a table that has no room"};
     return table.get();
 }
 
