@@ -40,8 +40,8 @@ void SectionOptions::check(bool sheet_cuts) const {
         throw UsageError(fmt::format("--section may be given {} times at most, not {}",
                                      most_sections, planes_.size()));
     if (planes_.empty() && !sheet_cuts && app_->count("--hatching") > 0)
-        throw UsageError("--hatching needs --section, or a section of --views; add one, or leave "
-                         "out --hatching");
+        throw UsageError("--hatching needs --section, or a section of --views; add one, or "
+                         "leave out --hatching");
     hatching();
 }
 

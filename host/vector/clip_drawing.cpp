@@ -11,19 +11,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "circle_crossings.hpp"
+
 namespace lineatlas {
 namespace {
 
-struct Circle {
-    glm::dvec2 center;
-    double radius;
-
-    /// Below 0 within it.
-    double beyond(glm::dvec2 at) const { return glm::distance(at, center) - radius; }
-    bool has(glm::dvec2 at) const { return beyond(at) < 0; }
-};
-
 constexpr std::uint32_t no_curve = VectorCurve::none;
+/// Places that are closer along a path are one, doubled by rounding; shares of a piece.
+constexpr double shortest = 1e-9;
 
 /// A place along a path.
 struct PathPlace {
@@ -38,83 +33,94 @@ struct PathPlace {
 /// A curve of a path, by its parameter.
 class ParametricCurve {
   public:
-    ParametricCurve(const VectorPath& path, const VectorCurve& curve)
-        : curve_(curve), start_(path.points[curve.first].at), end_(path.points[curve.last].at) {
-        for (std::uint32_t i = curve.first; i <= curve.last; ++i)
-            parameters_.push_back(i == curve.first  ? from()
-                                  : i == curve.last ? to()
-                                                    : nearest(path.points[i].at));
-    }
-
-    double from() const { return curve_.cubic ? 0 : curve_.arc.from; }
-    double to() const { return curve_.cubic ? 1 : curve_.arc.from + curve_.arc.sweep; }
+    ParametricCurve(const VectorPath& path, std::uint32_t number)
+        : path_(path), curve_(path.curves[number]), number_(number) {}
 
     glm::dvec2 at(double parameter) const {
-        if (!curve_.cubic) return curve_.arc.at(parameter);
-        const double t = parameter, s = 1 - t;
-        return s * s * s * start_ + 3 * s * s * t * curve_.cubic->first_control +
-               3 * s * t * t * curve_.cubic->last_control + t * t * t * end_;
+        return curve_.cubic ? point_of(*curve_.cubic, start(), end(), parameter)
+                            : curve_.arc.at(parameter);
     }
 
-    /// Where the curve enters the circle or leaves it, in order.
-    std::vector<PathPlace> crossings(const Circle& circle, std::uint32_t number) const {
-        std::vector<PathPlace> found;
-        double before = from();
-        for (int i = 1; i <= steps; ++i) {
-            const double next = step(i);
-            if (circle.has(at(before)) != circle.has(at(next)))
-                found.push_back(place(crossing(circle, before, next), number));
-            before = next;
-        }
-        return found;
+    /// Adds the places where the curve crosses the circle.
+    void add_crossings(const Circle& circle, std::vector<PathPlace>& places) const {
+        const std::vector<double> found = curve_.cubic
+                                              ? crossings(*curve_.cubic, start(), end(), circle)
+                                              : crossings(curve_.arc, circle);
+        if (found.empty()) return;
+        const std::vector<double> of_points = parameters();
+        for (const double parameter : found) places.push_back(place(parameter, of_points));
+    }
+
+    /// The point at a place along the path.
+    glm::dvec2 at_place(double along) const {
+        const std::vector<double> of_points = parameters();
+        const auto i =
+            std::min(static_cast<std::size_t>(along - curve_.first), of_points.size() - 2);
+        const double share = along - curve_.first - static_cast<double>(i);
+        return at(std::lerp(of_points[i], of_points[i + 1], share));
     }
 
   private:
-    static constexpr int steps = 512;
+    glm::dvec2 start() const { return path_.points[curve_.first].at; }
+    glm::dvec2 end() const { return path_.points[curve_.last].at; }
+    double from() const { return curve_.cubic ? 0 : curve_.arc.from; }
+    double to() const { return curve_.cubic ? 1 : curve_.arc.from + curve_.arc.sweep; }
 
-    double step(int i) const { return from() + (to() - from()) * i / steps; }
-
-    double crossing(const Circle& circle, double low, double high) const {
-        const bool starts_within = circle.has(at(low));
-        for (int i = 0; i < 60; ++i) {
-            const double middle = 0.5 * (low + high);
-            (circle.has(at(middle)) == starts_within ? low : high) = middle;
-        }
-        return 0.5 * (low + high);
+    /// Of the path's points along the curve.
+    std::vector<double> parameters() const {
+        std::vector<double> result{from()};
+        for (std::uint32_t i = curve_.first + 1; i < curve_.last; ++i)
+            result.push_back(curve_.cubic ? nearest_share(path_.points[i].at)
+                                          : angle_of(path_.points[i].at));
+        result.push_back(to());
+        return result;
     }
 
-    /// The parameter of a point that lies on the curve.
-    double nearest(glm::dvec2 point) const {
+    /// The angle of a point of the arc between its ends.
+    double angle_of(glm::dvec2 point) const {
+        const VectorArc& arc = curve_.arc;
+        const glm::dvec2 offset = point - arc.center;
+        const double angle = std::atan2(glm::dot(offset, {-arc.major.y, arc.major.x}) / arc.ratio,
+                                        glm::dot(offset, arc.major));
+        const double around = std::copysign(2 * std::numbers::pi, arc.sweep);
+        const double turns = (angle - arc.from) / around;
+        return arc.from + (turns - std::floor(turns)) * around;
+    }
+
+    /// The share of the cubic at which a point lies.
+    double nearest_share(glm::dvec2 point) const {
+        constexpr int steps = 512;
+        const auto distance = [&](double share) { return glm::distance(at(share), point); };
         int best = 0;
         for (int i = 1; i <= steps; ++i)
-            if (glm::distance(at(step(i)), point) < glm::distance(at(step(best)), point)) best = i;
-        double low = step(std::max(best - 1, 0)), high = step(std::min(best + 1, steps));
+            if (distance(1.0 * i / steps) < distance(1.0 * best / steps)) best = i;
+        double low = std::max(best - 1.0, 0.0) / steps,
+               high = std::min(best + 1.0, 1.0 * steps) / steps;
         for (int i = 0; i < 60; ++i) {
             const double third = (high - low) / 3;
-            const bool lower =
-                glm::distance(at(low + third), point) < glm::distance(at(high - third), point);
+            const bool lower = distance(low + third) < distance(high - third);
             (lower ? high : low) += lower ? -third : third;
         }
         return 0.5 * (low + high);
     }
 
-    PathPlace place(double parameter, std::uint32_t number) const {
+    PathPlace place(double parameter, const std::vector<double>& of_points) const {
         const bool falls = to() < from();
         std::size_t i = 0;
-        while (i + 2 < parameters_.size() &&
-               (falls ? parameter < parameters_[i + 1] : parameter > parameters_[i + 1]))
+        while (i + 2 < of_points.size() &&
+               (falls ? parameter < of_points[i + 1] : parameter > of_points[i + 1]))
             ++i;
-        const double way = parameters_[i + 1] - parameters_[i];
-        const double share = way == 0 ? 0 : (parameter - parameters_[i]) / way;
+        const double way = of_points[i + 1] - of_points[i];
+        const double share = way == 0 ? 0 : (parameter - of_points[i]) / way;
         return {.along = curve_.first + static_cast<double>(i) + std::clamp(share, 0.0, 1.0),
                 .at = at(parameter),
-                .curve = number,
+                .curve = number_,
                 .parameter = parameter};
     }
 
+    const VectorPath& path_;
     const VectorCurve& curve_;
-    glm::dvec2 start_, end_;
-    std::vector<double> parameters_; ///< of the points along it
+    std::uint32_t number_;
 };
 
 /// Adds the places where a straight piece crosses the circle.
@@ -128,26 +134,92 @@ void add_crossings(const Circle& circle, const VectorPath& path, std::uint32_t p
     if (!(square > 0) || !(inner > 0)) return;
     for (const double sign : {-1.0, 1.0}) {
         const double share = (sign * std::sqrt(inner) - half) / square;
-        if (share > 0 && share <= 1)
-            places.push_back({.along = point + share, .at = from + share * way});
+        if (!(share > -shortest) || !(share < 1 + shortest)) continue;
+        const double rounded =
+            std::abs(share - std::round(share)) < shortest ? std::round(share) : share;
+        places.push_back({.along = point + rounded, .at = from + rounded * way});
     }
 }
 
+/// Adds a point of the path if it lies on the circle: rounding may put the crossing beyond the end
+/// of either piece that meets there.
+void add_if_on(const Circle& circle, const VectorPath& path, std::uint32_t point,
+               std::vector<PathPlace>& places) {
+    const glm::dvec2 at = path.points[point].at;
+    if (std::abs(circle.beyond(at)) <= circle.rounding())
+        places.push_back({.along = static_cast<double>(point), .at = at});
+}
+
+/// Where the path crosses the circle, and perhaps where it touches it, in any order.
 std::vector<PathPlace> crossings_of(const Circle& circle, const VectorPath& path) {
     std::vector<PathPlace> places;
-    const auto count = static_cast<std::uint32_t>(path.points.size());
     std::uint32_t point = 0;
     const auto add_straight = [&](std::uint32_t end) {
-        for (; point < end; ++point) add_crossings(circle, path, point, places);
+        for (; point < end; ++point) {
+            add_if_on(circle, path, point, places);
+            add_crossings(circle, path, point, places);
+        }
+        add_if_on(circle, path, end, places);
     };
     for (std::uint32_t i = 0; i < path.curves.size(); ++i) {
         add_straight(path.curves[i].first);
-        std::ranges::copy(ParametricCurve{path, path.curves[i]}.crossings(circle, i),
-                          std::back_inserter(places));
+        ParametricCurve{path, i}.add_crossings(circle, places);
         point = path.curves[i].last;
     }
-    add_straight(count - 1);
+    add_straight(static_cast<std::uint32_t>(path.points.size() - 1));
     return places;
+}
+
+glm::dvec2 point_at(const VectorPath& path, double along) {
+    for (std::uint32_t i = 0; i < path.curves.size(); ++i)
+        if (along > path.curves[i].first && along < path.curves[i].last)
+            return ParametricCurve{path, i}.at_place(along);
+    const auto i = static_cast<std::size_t>(along);
+    return glm::mix(path.points[i].at, path.points[i + 1].at, along - static_cast<double>(i));
+}
+
+/// A part of a path between two places.
+struct PathInterval {
+    PathPlace from, to;
+};
+
+/// Whether an interval that does not cross the circle lies within it. The farthest of some points
+/// from the circle tells, as another one may be where the path touches it.
+bool lies_within(const Circle& circle, const VectorPath& path, const PathInterval& interval) {
+    double farthest = 0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const double along = std::lerp(interval.from.along, interval.to.along, share);
+        const double beyond = circle.beyond(point_at(path, along));
+        if (std::abs(beyond) > std::abs(farthest)) farthest = beyond;
+    }
+    return farthest <= circle.rounding();
+}
+
+/// What lies within the circle, in order. Intervals that meet are one.
+std::vector<PathInterval> intervals_within(const Circle& circle, const VectorPath& path,
+                                           std::vector<PathPlace> places) {
+    const auto end = static_cast<double>(path.points.size() - 1);
+    std::erase_if(places, [&](const PathPlace& place) {
+        return place.along < shortest || place.along > end - shortest;
+    });
+    places.push_back({.along = 0, .at = path.points.front().at});
+    places.push_back({.along = end, .at = path.points.back().at});
+    std::ranges::sort(places, {}, &PathPlace::along);
+    std::vector<PathInterval> within;
+    bool goes_on = false;
+    PathPlace from = places.front();
+    for (const PathPlace& to : places) {
+        if (to.along - from.along < shortest) continue;
+        const PathInterval interval{from, to};
+        const bool inside = lies_within(circle, path, interval);
+        if (inside && goes_on)
+            within.back().to = to;
+        else if (inside)
+            within.push_back(interval);
+        goes_on = inside;
+        from = to;
+    }
+    return within;
 }
 
 /// The part of a cubic from one parameter to another (de Casteljau, by blossoms).
@@ -271,24 +343,23 @@ void append(VectorPath& path, const VectorPath& more) {
 
 /// Adds the parts of a path that lie in the circle.
 void add_parts(const VectorPath& path, const Circle& circle, std::vector<VectorPath>& parts) {
-    const std::vector<PathPlace> crossings = crossings_of(circle, path);
-    const bool starts_within = circle.has(path.points.front().at);
+    const auto end = static_cast<double>(path.points.size() - 1);
+    std::vector<PathPlace> crossings = crossings_of(circle, path);
     if (crossings.empty()) {
-        if (starts_within) parts.push_back(path);
+        if (circle.beyond(path.points.front().at) < 0) parts.push_back(path);
         return;
     }
-    std::vector<PathPlace> ends = crossings;
-    if (starts_within) ends.insert(ends.begin(), {.at = path.points.front().at});
-    if (ends.size() % 2 == 1)
-        ends.push_back(
-            {.along = static_cast<double>(path.points.size() - 1), .at = path.points.back().at});
+    const std::vector<PathInterval> within = intervals_within(circle, path, std::move(crossings));
+    if (within.empty()) return;
+    const bool from_start = within.front().from.along == 0, to_end = within.back().to.along == end;
+    if (within.size() == 1 && from_start && to_end) {
+        parts.push_back(path);
+        return;
+    }
     std::vector<VectorPath> own;
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-        if (ends[i].along < ends[i + 1].along)
-            own.push_back(PathPart{path, ends[i], ends[i + 1]}.take());
-    const bool joins =
-        path.closed && starts_within && own.size() > 1 && ends.size() > crossings.size() + 1;
-    if (joins) {
+    for (const PathInterval& interval : within)
+        own.push_back(PathPart{path, interval.from, interval.to}.take());
+    if (path.closed && from_start && to_end) {
         append(own.back(), own.front());
         own.erase(own.begin());
     }

@@ -420,8 +420,10 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     expect_refused(to + "top,section:z=500", 2, "misses the model, which goes from z=0 to 100");
     expect_refused(to + "front --detail front/0,0,0", 2, "as in front/20,35,0/8");
     expect_refused(to + "front --detail front/900,0,0/5", 2, "lies beside the model");
-    expect_refused(draw + path("x.svg") + " --detail front/0,0,0/5", 2, "see --views");
-    expect_refused(to + "front --hatching none", 2, "for sections of --views");
+    expect_refused(draw + path("x.svg") + " --detail front/0,0,0/5", 2,
+                   "--detail needs --views; add it, or leave out --detail");
+    expect_refused(to + "front --hatching none", 2,
+                   "--hatching needs --section, or a section of --views; add one");
     expect_refused(to + "front --view top", 2, "--views and --view exclude each other");
     expect_refused(to + "front --margin 5mm", 2, "--views and --margin exclude each other");
     expect_refused(to + "front --scale 5:1", 2, "2:1 fits");
@@ -431,7 +433,8 @@ TEST_F(Sheets, WhatIsWrongWithAPageOfViewsIsSaidInALine) {
     expect_refused(to + "front --page 80x80mm", 2, "too small for a sheet");
     expect_refused(to + "front --method atlas", 2, "only exact");
     expect_refused(to + "front --dpi 300", 2, "--dpi is for pictures of pixels");
-    expect_refused(draw + path("x.svg") + " --field title=Cube", 2, "see --views");
+    expect_refused(draw + path("x.svg") + " --field title=Cube", 2,
+                   "--field needs --views; add it, or leave out --field");
     expect_refused(draw + path("x.eps") + " --views front", 1, "other programs make .eps");
     expect_refused(draw + path("x.json") + " --views front", 1, "JSON has one view");
     expect_refused(draw + path("x.png") + " --views front --no-tags", 2, "is for SVG alone");

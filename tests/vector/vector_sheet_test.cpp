@@ -689,6 +689,90 @@ TEST(Sheet, AnArcThatIsClippedStaysAnArc) {
     EXPECT_TRUE(beside.paths.empty());
 }
 
+VectorPath arc_path(const VectorArc& arc, std::uint32_t chords) {
+    VectorPath path{.closed = std::abs(arc.sweep) > 6.28, .points = {}, .pieces = {}};
+    for (std::uint32_t i = 0; i <= chords; ++i)
+        path.points.push_back({.at = arc.at(arc.from + arc.sweep * i / chords)});
+    path.curves.push_back({.first = 0, .last = chords, .arc = arc});
+    return path;
+}
+
+TEST(Sheet, ASmallDetailOfALargeCurveHasIt) {
+    constexpr double large = 3000, small = 10, radians = 2 * std::numbers::pi;
+    for (const double ratio : {1.0, 0.5}) {
+        const VectorArc arc{.major = {large, 0}, .ratio = ratio, .sweep = -radians};
+        for (int i = 0; i < 100; ++i) {
+            SCOPED_TRACE(i);
+            const glm::dvec2 center = arc.at(0.05 + 0.0601 * i);
+            VectorDrawing drawing = drawing_of(arc_path(arc, 48));
+            clip_to_circle(drawing, center, small);
+            ASSERT_EQ(drawing.paths.size(), 1U);
+            const VectorPath& part = drawing.paths[0];
+            EXPECT_NEAR(glm::distance(part.points.front().at, center), small, 1e-7);
+            EXPECT_NEAR(glm::distance(part.points.back().at, center), small, 1e-7);
+            EXPECT_NEAR(glm::distance(part.points.front().at, part.points.back().at), 2 * small,
+                        0.001);
+        }
+    }
+    VectorPath curve{.points = {{.at = {0, 0}}, {.at = {3000, 0}}},
+                     .pieces = {{.point = 0}},
+                     .curves = {{.first = 0, .last = 1}}};
+    curve.curves[0].cubic = {{1000, 400}, {2000, 400}}; // x is 3000 t
+    for (int i = 1; i < 100; ++i) {
+        SCOPED_TRACE(i);
+        const double t = i / 100.0;
+        VectorDrawing drawing = drawing_of(curve);
+        clip_to_circle(drawing, {3000 * t, 1200 * t * (1 - t)}, 2);
+        ASSERT_EQ(drawing.paths.size(), 1U);
+        const VectorPath& part = drawing.paths[0];
+        EXPECT_NEAR(glm::distance(part.points.front().at, part.points.back().at), 4, 0.001);
+    }
+}
+
+TEST(Sheet, APathThatStartsOnTheCircleOfADetailIsNotTurnedInsideOut) {
+    const glm::dvec2 center{1234.5, 678.9};
+    constexpr double radius = 37.7;
+    const auto at = [&](double distance, double angle) {
+        return center + distance * glm::dvec2{std::cos(angle), std::sin(angle)};
+    };
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE(i);
+        const double angle = 0.03 * i;
+        VectorDrawing drawing = drawing_of({.points = {{.at = at(radius, angle)},
+                                                       {.at = at(2 * radius, angle)},
+                                                       {.at = at(2 * radius, angle + 0.5)},
+                                                       {.at = at(radius, angle + 0.5)},
+                                                       {.at = center}},
+                                            .pieces = {}});
+        clip_to_circle(drawing, center, radius);
+        ASSERT_EQ(drawing.paths.size(), 1U);
+        const std::vector<VectorPoint>& points = drawing.paths[0].points;
+        ASSERT_EQ(points.size(), 2U);
+        EXPECT_LT(glm::distance(points[0].at, at(radius, angle + 0.5)), 1e-6);
+        EXPECT_EQ(points[1].at, center);
+    }
+}
+
+TEST(Sheet, WhatTouchesTheCircleOfADetailStaysWhole) {
+    const VectorPath touching{.points = {{.at = {0, 10}}, {.at = {100, 10}}}, .pieces = {}};
+    VectorDrawing outside = drawing_of(touching);
+    clip_to_circle(outside, {50, 50}, 40);
+    EXPECT_TRUE(outside.paths.empty());
+    for (const double radius : {40.0, 15.0}) { // the same circle, and one that touches it within
+        const VectorArc arc{
+            .center = {90 - radius, 50}, .major = {radius, 0}, .sweep = 2 * std::numbers::pi};
+        for (const double from : {0.0, 1.0}) {
+            VectorArc turned = arc;
+            turned.from = from;
+            VectorDrawing drawing = drawing_of(arc_path(turned, 24));
+            clip_to_circle(drawing, {50, 50}, 40);
+            ASSERT_EQ(drawing.paths.size(), 1U);
+            EXPECT_TRUE(drawing.paths[0].closed);
+            EXPECT_EQ(drawing.paths[0].curves[0].arc.sweep, arc.sweep);
+        }
+    }
+}
+
 TEST(Sheet, CubicsLinesAndAreasAreClipped) {
     VectorPath curve{.points = {{.at = {40, 50}}, {.at = {50, 43.875}}, {.at = {60, 50}}},
                      .pieces = {{.point = 0}, {.point = 1}},
