@@ -22,10 +22,9 @@ constexpr double head_length = 4, head_half_width = 1.07; ///< 30 degrees, open
 constexpr double letter_height = 5;
 constexpr double from_shaft = 2.2, from_circle = 1, above_view = 4; ///< of letters
 
-/// The line between two points. It begins and ends with a dash, and dashes are of one length.
-void add_chain(SheetMarks& marks, glm::dvec2 from, glm::dvec2 to) {
-    const double length = glm::distance(from, to);
-    const glm::dvec2 way = (to - from) / length;
+/// The line from a point along a unit axis. It begins and ends with a dash, and dashes are of one
+/// length.
+void add_chain(SheetMarks& marks, glm::dvec2 from, glm::dvec2 way, double length) {
     constexpr double between = 2 * gap + dot; // two dashes
     const double dots = std::max(0.0, std::round((length - dash) / (dash + between)));
     const double own_dash = (length - dots * between) / (dots + 1);
@@ -52,11 +51,11 @@ void add_arrow(SheetMarks& marks, glm::dvec2 tip, glm::dvec2 sight, const std::s
                TextAnchor::middle);
 }
 
-/// The line of a plane from `first` to `last`, which lie at the border of the view that it cuts.
-void add_cutting_line(SheetMarks& marks, glm::dvec2 first, glm::dvec2 last, glm::dvec2 sight,
-                      const std::string& letter) {
-    const glm::dvec2 way = glm::normalize(last - first);
-    add_chain(marks, first - clear * way, last + clear * way);
+/// The line of a plane from `first` to `last` along a unit axis. Both lie at the border of the view
+/// that it cuts, in one place if that shows a flat model edge on.
+void add_cutting_line(SheetMarks& marks, glm::dvec2 first, glm::dvec2 last, glm::dvec2 way,
+                      glm::dvec2 sight, const std::string& letter) {
+    add_chain(marks, first - clear * way, way, glm::distance(first, last) + 2 * clear);
     marks.line(first - clear * way, first - overhang * way, thick);
     marks.line(last + clear * way, last + overhang * way, thick);
     add_arrow(marks, first - overhang * way, sight, letter);
@@ -73,7 +72,8 @@ void add_section(SheetMarks& marks, const SheetSide& section, const SheetSide& s
     const auto point = [&](glm::dvec2 end) {
         return place + scale * (at * toward_eye + along * end - shown.middle);
     };
-    add_cutting_line(marks, point(shown.low), point(shown.high), -toward_eye, section.letter);
+    add_cutting_line(marks, point(shown.low), point(shown.high), along, -toward_eye,
+                     section.letter);
 }
 
 void add_title(SheetMarks& marks, const SheetView& view, std::string title) {

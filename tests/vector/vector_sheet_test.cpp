@@ -469,6 +469,17 @@ TEST(Sheet, ThePlaneOfASectionIsALineWithArrows) {
     }
 }
 
+TEST(Sheet, TheLineOfASectionOfAFlatModelHasALength) {
+    const Box flat{{0, 0, 0}, {120, 0, 70}};
+    const SheetLayout layout = flat.layout({.views = {"front", "section:x=50%"}});
+    const std::vector<SheetLine> thin = lines_on(layout, "sections", 0.25);
+    EXPECT_FALSE(thin.empty());
+    for (const SheetLine& line : layout.lines)
+        for (const glm::dvec2 point : line.points)
+            EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y)) << line.layer;
+    for (const SheetText& text : layout.texts) EXPECT_TRUE(std::isfinite(text.at.y)) << text.text;
+}
+
 TEST(Sheet, ASectionHasAGroupAndLayers) {
     const Box box;
     const SheetOptions options{.views = {"front", "section:z=25%"}};
