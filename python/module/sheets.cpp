@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -35,9 +36,13 @@ using MaybeScale = Argument<std::optional<std::string>, "scale", "text such as \
 using Fields = Argument<std::map<std::string, std::string>, "fields",
                         "a dictionary of texts, such as {\"title\": \"Bracket\"}">;
 
-/// The rest of a model that the plane of a section cuts.
-ModelLines cut_lines(const ModelLines& whole, const SectionPlane& plane, const Progress& asked) {
+/// The rest of a model that the plane of a section cuts. What the cut has to say is added to
+/// `notes`, once.
+ModelLines cut_lines(const ModelLines& whole, const SectionPlane& plane,
+                     std::vector<std::string>& notes, const Progress& asked) {
     Section section = cut_mesh(whole.model->mesh, {{plane}});
+    for (const std::string& note : section.notes)
+        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     auto rest = std::make_shared<Model>(Model{.mesh = std::move(section.mesh)});
     return find_lines(std::move(rest), whole.options, asked);
 }
@@ -56,13 +61,13 @@ SeenLines seen(Drawer& drawer, const std::shared_ptr<const ModelLines>& subject,
 }
 
 /// Draws all views of the drawer's model on a sheet.
-VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style, std::string& of_framing,
-                 const Progress& asked) {
+VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style,
+                 std::vector<std::string>& notes, const Progress& asked) {
     const std::shared_ptr<const ModelLines> subject = drawer.subject();
     const auto [x, y, z] = subject->model->origin;
     options.origin = {x, y, z};
     const Framing framing = framing_of(subject->lines);
-    of_framing = framing.note;
+    if (!framing.note.empty()) notes.push_back(framing.note);
     const SheetLayout layout = lay_out_sheet(framing.points, options);
     std::shared_ptr<const ModelLines> cut; // of the view that is drawn
     const auto find = [&](const SheetView& view) -> SeenLines {
@@ -71,7 +76,7 @@ VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style, std::
             throw UsageError(view.name +
                              ": the model was changed after it was made; a section is of "
                              "a mesh as it is");
-        Drawer rest{cut_lines(*subject, *view.cut, asked), drawer.device()};
+        Drawer rest{cut_lines(*subject, *view.cut, notes, asked), drawer.device()};
         cut = rest.subject();
         SeenLines found = seen(rest, cut, view, style, asked);
         found.lines = &cut->lines;
@@ -120,11 +125,10 @@ py::object to_sheet(Drawer& drawer, const Word<"type">& type, const MaybeViews& 
     if (*angle) options.angle = parse_projection_angle(**angle);
     if (*page) options.page = parse_page(**page);
     const Style own = *style ? style_of(style) : load_style("technical");
-    std::string of_framing;
-    const VectorSheet sheet = released(progress, [&](const Progress& asked) {
-        return draw(drawer, options, own, of_framing, asked);
-    });
-    warn_user(of_framing);
+    std::vector<std::string> notes;
+    const VectorSheet sheet = released(
+        progress, [&](const Progress& asked) { return draw(drawer, options, own, notes, asked); });
+    for (const std::string& note : notes) warn_user(note);
     return written(sheet, type, static_cast<double>(*dpi),
                    {.background = !transparent,
                     .tags = tags,
