@@ -101,6 +101,11 @@ SheetDetail parse_detail(std::string_view text) {
 
 void check_sheet_options(const SheetOptions& options) {
     if (options.views.empty()) throw UsageError("a sheet needs at least one view");
+    // Places are looked for one view beside the others, and a file may name any number.
+    constexpr std::size_t most_views = 64;
+    if (options.views.size() > most_views || options.details.size() > most_views)
+        throw UsageError(fmt::format("a sheet has {} views and {} details; {} of each at most",
+                                     options.views.size(), options.details.size(), most_views));
     for (auto view = options.views.begin(); view != options.views.end(); ++view) {
         check_view(*view);
         if (std::find(options.views.begin(), view, *view) != view)

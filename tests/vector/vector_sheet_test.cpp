@@ -480,6 +480,18 @@ TEST(Sheet, TheLineOfASectionOfAFlatModelHasALength) {
     for (const SheetText& text : layout.texts) EXPECT_TRUE(std::isfinite(text.at.y)) << text.text;
 }
 
+TEST(Sheet, SixtyFourViewsAreTheMost) {
+    const Box box;
+    SheetOptions options{.views = {"front"}};
+    for (int i = 0; i < 64; ++i) options.views.push_back(std::to_string(i + 1) + ",10");
+    try {
+        (void)box.layout(options);
+        ADD_FAILURE() << "65 views are taken";
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "a sheet has 65 views and 0 details; 64 of each at most");
+    }
+}
+
 TEST(Sheet, ASectionHasAGroupAndLayers) {
     const Box box;
     const SheetOptions options{.views = {"front", "section:z=25%"}};

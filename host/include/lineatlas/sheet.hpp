@@ -79,10 +79,10 @@ LINEATLAS_API SheetDetail parse_detail(std::string_view text);
 
 /// The contents and the layout of a sheet.
 struct SheetOptions {
-    /// Sides to look from, as view_direction() takes them, each once. The six named sides are
-    /// aligned with the front; any other side is a pictorial view, which shows no hidden lines and
-    /// is placed where there is room. "section:x=12" is a section: the model cut by a plane, as
-    /// parse_section() takes one across an axis, seen from the side that is cut away; by
+    /// Sides to look from, as view_direction() takes them, each once, 64 at most. The six named
+    /// sides are aligned with the front; any other side is a pictorial view, which shows no hidden
+    /// lines and is placed where there is room. "section:x=12" is a section: the model cut by a
+    /// plane, as parse_section() takes one across an axis, seen from the side that is cut away; by
     /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
     /// on the right of it, and the first view that shows the plane as a line has that line.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
