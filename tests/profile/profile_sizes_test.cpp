@@ -126,15 +126,23 @@ TEST(ProfileSizes, AsDevicesLogThem) {
         EXPECT_EQ(pyramid.group, device->tuning().local_size);
         EXPECT_EQ(pyramid.bytes, depth->size() + tiles->size());
 
-        const auto ranges = device->allocate(96), others = device->allocate(32);
-        const auto forget = [&] {
-            device->clear(*others, others->size());
-            stages.launch_each<compute::kernels::transform_forget>(
-                1, {.segments = *others, .objects = *others, .jumped = *others, .ranges = *ranges});
-            device->finish();
+        const auto ranges = device->allocate(96), segments = device->allocate(32),
+                   objects = device->allocate(32), jumped = device->allocate(32);
+        const auto bytes_with = [&](compute::Buffer& object_table) {
+            const auto forget = [&] {
+                for (compute::Buffer* table : {segments.get(), objects.get(), jumped.get()})
+                    device->clear(*table, table->size());
+                stages.launch_each<compute::kernels::transform_forget>(1, {.segments = *segments,
+                                                                           .objects = object_table,
+                                                                           .jumped = *jumped,
+                                                                           .ranges = *ranges});
+                device->finish();
+            };
+            return logged(*device, forget, "transform_forget").bytes;
         };
-        EXPECT_EQ(logged(*device, forget, "transform_forget").bytes, 3 * 32U + 2 * 96U)
+        EXPECT_EQ(bytes_with(*objects), 3 * 32U + 2 * 96U)
             << "what is read and written counts twice";
+        EXPECT_EQ(bytes_with(*segments), 2 * 32U + 2 * 96U) << "what stands twice counts once";
     }
 }
 
