@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/edge_curve.hpp"
 #include "surface/plane_section.hpp"
 #include "surface/round_surface.hpp"
 
@@ -64,12 +65,6 @@ class CurveFinder {
             mesh_.edge_curves.back() = curve.ellipse;
             mesh_.edge_entities.back() = mesh_.surfaces.surfaces[curve.surface].entity;
         }
-    }
-
-    /// A vector in the coordinates in which an ellipse is the unit circle.
-    static glm::dvec2 unrolled(const EdgeCurve& curve, glm::dvec3 way) {
-        return {glm::dot(way, curve.u) / glm::dot(curve.u, curve.u),
-                glm::dot(way, curve.v) / glm::dot(curve.v, curve.v)};
     }
 
     /// The place of an ellipse in the direction of another from its centre.
@@ -223,10 +218,7 @@ class CurveFinder {
         const double share = -plane_.distance(curve.center) / std::hypot(u, v);
         if (!(std::abs(share) <= 1)) return std::nullopt;
         const double top = std::atan2(v, u), aside = std::acos(share);
-        const auto at = [&](double angle) {
-            return curve.center + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
-        };
-        const glm::dvec3 one = at(top + aside), other = at(top - aside);
+        const glm::dvec3 one = place_on(curve, top + aside), other = place_on(curve, top - aside);
         return glm::distance(one, place) < glm::distance(other, place) ? one : other;
     }
 

@@ -14,6 +14,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/edge_curve.hpp"
 #include "cubic_fitting.hpp"
 #include "edges_by_place.hpp"
 #include "mesh_circles.hpp"
@@ -440,15 +441,6 @@ class PathCurves::Finder {
         }
         double angle() const { return spline != nullptr ? spline->turn * by : by; }
     };
-
-    static double angle_on(const EdgeCurve& curve, glm::dvec3 world) {
-        const glm::dvec3 out = world - curve.center;
-        return std::atan2(glm::dot(out, curve.v) / glm::dot(curve.v, curve.v),
-                          glm::dot(out, curve.u) / glm::dot(curve.u, curve.u));
-    }
-    static glm::dvec3 place_on(const EdgeCurve& curve, double angle) {
-        return curve.center + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
-    }
 
     /// Between two points of a chord; nothing where the chord is not one of the curve.
     std::optional<Turn> turn_of(const LineSource& source, const VectorPoint& a,
