@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "round_surface.hpp"
 #include "surface_point.hpp"
 
 namespace lineatlas {
@@ -18,11 +19,6 @@ constexpr double straight = 1e-7;
 struct Plane {
     glm::dvec3 point, normal;
 };
-
-glm::dvec3 from_axis(const SurfaceShape& shape, glm::dvec3 place) {
-    const glm::dvec3 out = place - shape.point;
-    return out - glm::dot(out, shape.axis) * shape.axis;
-}
 
 /// The place of a surface on a plane, by Newton's method from the place of two parameters.
 std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane, glm::dvec2 at) {
@@ -43,7 +39,7 @@ std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane
 
 /// The circle about the axis through a place.
 std::optional<SurfaceCurve> around_axis(const SurfaceShape& plain, glm::dvec3 place) {
-    const glm::dvec3 out = from_axis(plain, place);
+    const glm::dvec3 out = way_from_axis(plain, place);
     if (!(glm::length(out) > 0)) return std::nullopt;
     return SurfaceCurve{.kind = SurfaceCurve::Kind::ellipse,
                         .point = place - out,
@@ -60,7 +56,7 @@ struct Quadric {
 std::optional<Quadric> quadric_of(const SurfaceShape& shape) {
     const SurfaceCurve& curve = shape.curve;
     if (shape.offset != 0) return std::nullopt;
-    const glm::dvec3 out = from_axis(shape, curve.point);
+    const glm::dvec3 out = way_from_axis(shape, curve.point);
     const double height = glm::dot(curve.point - shape.point, shape.axis);
     if (curve.kind == SurfaceCurve::Kind::line) {
         const double rise = glm::dot(curve.u, shape.axis);
@@ -111,7 +107,7 @@ std::optional<SurfaceCurve> section_of(const SurfaceShape& shape, const SurfaceS
     const bool holds_axis = std::abs(glm::dot(plane.normal, plain.axis)) < straight &&
                             std::abs(glm::dot(plane.normal, plane.point - plain.point)) <
                                 straight * glm::length(*place - plain.point);
-    return holds_axis ? meridian_ellipse(plain, from_axis(plain, *place)) : std::nullopt;
+    return holds_axis ? meridian_ellipse(plain, way_from_axis(plain, *place)) : std::nullopt;
 }
 
 } // namespace
@@ -121,7 +117,7 @@ std::optional<SurfaceCurve> meridian_ellipse(const SurfaceShape& shape, glm::dve
     if (shape.kind != SurfaceShape::Kind::revolution || shape.offset != 0 ||
         curve.kind != SurfaceCurve::Kind::ellipse)
         return std::nullopt;
-    const glm::dvec3 own = from_axis(shape, curve.point);
+    const glm::dvec3 own = way_from_axis(shape, curve.point);
     const double size = glm::length(curve.u), radius = glm::length(own);
     if (!(radius > straight * size)) return std::nullopt;
     const glm::dvec3 across = glm::cross(shape.axis, own / radius);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "lineatlas/surface.hpp"
@@ -12,6 +13,16 @@ namespace lineatlas {
 /// extrusion stands for; files exchanged as NURBS have such splines. Any other shape is returned as
 /// it is. The ends of the surface are lost.
 SurfaceShape plain_shape(const SurfaceShape& shape);
+
+/// Below this cosine or sine to the axis a view is meant to be level or along it: cameras hold
+/// directions as floats.
+constexpr double rounding_of_views = 1e-6;
+
+/// The way from the axis of a revolution to a place, at right angles to the axis.
+inline glm::dvec3 way_from_axis(const SurfaceShape& shape, glm::dvec3 place) {
+    const glm::dvec3 out = place - shape.point;
+    return out - glm::dot(out, shape.axis) * shape.axis;
+}
 
 /// The line that a round surface turns about.
 struct AxisLine {

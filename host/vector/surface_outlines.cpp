@@ -6,23 +6,18 @@
 #include <glm/matrix.hpp>
 
 #include "surface/plane_section.hpp"
+#include "surface/round_surface.hpp"
 
 namespace lineatlas {
 namespace {
 
-constexpr double rounding_of_eye = 1e-6; ///< cameras are floats
-constexpr double same = 1e-9;            ///< of the size of a curve
-
-glm::dvec3 from_axis(const SurfaceShape& shape, const glm::dvec3& place) {
-    const glm::dvec3 out = place - shape.point;
-    return out - glm::dot(out, shape.axis) * shape.axis;
-}
+constexpr double same = 1e-9; ///< of the size of a curve
 
 /// Whether a place, given by the way from the axis, is where an ellipse that turns is level.
 bool is_on_top(const SurfaceShape& shape, const glm::dvec3& out) {
     constexpr double rounding = 1e-5;
     const SurfaceCurve& curve = shape.curve;
-    const glm::dvec3 own = from_axis(shape, curve.point);
+    const glm::dvec3 own = way_from_axis(shape, curve.point);
     const double top = std::atan2(glm::dot(curve.v, shape.axis), glm::dot(curve.u, shape.axis));
     const glm::dvec3 to_top = std::cos(top) * curve.u + std::sin(top) * curve.v;
     const double off = std::abs(glm::dot(to_top, glm::normalize(own)));
@@ -60,7 +55,7 @@ const Ellipse* SurfaceOutlines::around_axis(const SurfaceShape& shape, const glm
     const glm::dvec3 axis = glm::normalize(glm::dmat3{placed} * shape.axis);
     const glm::dvec3 foot = placed * glm::dvec4{shape.point, 1};
     const glm::dvec3 to_eye = glm::dvec3{eye_} - foot * eye_.w;
-    if (!(glm::length(glm::cross(to_eye, axis)) < rounding_of_eye * glm::length(to_eye)))
+    if (!(glm::length(glm::cross(to_eye, axis)) < rounding_of_views * glm::length(to_eye)))
         return nullptr;
     const glm::dvec3 center = foot + glm::dot(place - foot, axis) * axis;
     const glm::dvec3 out = place - center;
@@ -75,9 +70,9 @@ const Ellipse* SurfaceOutlines::along_meridian(const SurfaceShape& shape,
     if (eye_.w != 0) return nullptr;
     const glm::dmat4 shape_from_model = glm::inverse(glm::dmat4{placed});
     const glm::dvec3 to_eye = glm::normalize(glm::dvec3{shape_from_model * eye_});
-    if (!(std::abs(glm::dot(to_eye, shape.axis)) < rounding_of_eye)) return nullptr;
+    if (!(std::abs(glm::dot(to_eye, shape.axis)) < rounding_of_views)) return nullptr;
     const auto out_to = [&](glm::dvec3 place) {
-        return from_axis(shape, shape_from_model * glm::dvec4{place, 1});
+        return way_from_axis(shape, shape_from_model * glm::dvec4{place, 1});
     };
     const auto is_beside = [&](const glm::dvec3& out) {
         constexpr double beside = 0.02; // of a corner of triangles that stands for a place there
@@ -103,7 +98,7 @@ std::optional<EdgeCurve> SurfaceOutlines::sphere_outline(const SurfaceShape& sha
         return {};
     const double radius = glm::length(curve.u);
     if (std::abs(glm::length(curve.v) - radius) > same * radius ||
-        glm::length(from_axis(shape, curve.point)) > same * radius)
+        glm::length(way_from_axis(shape, curve.point)) > same * radius)
         return {};
     const glm::dvec3 center = placed * glm::dvec4{curve.point, 1};
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3{placed})));

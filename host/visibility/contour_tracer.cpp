@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/vertex_sets.hpp"
+#include "surface/round_surface.hpp"
 #include "surface/surface_point.hpp"
 
 namespace lineatlas {
@@ -26,7 +27,6 @@ constexpr double straight = 1e-5;      ///< a chord this near, in pixels, is str
 constexpr double shortest = 1e-3;      ///< pixels
 constexpr double least_ratio = 1e-7;   ///< least ratio of a place's motion by one parameter to that
                                        ///< by the other
-constexpr double rounding = 1e-6;      ///< of directions of views, which cameras hold as floats
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
 /// A place on a silhouette.
@@ -126,18 +126,17 @@ class SeenSurface {
     void look_level_or_along() {
         const glm::dvec3 way = glm::dvec3{eye_} / glm::length(glm::dvec3{eye_});
         const double along = glm::dot(way, shape_.axis);
-        is_level_ = std::abs(along) < rounding;
+        is_level_ = std::abs(along) < rounding_of_views;
         if (is_level_)
             eye_ = glm::dvec4{way - along * shape_.axis, 0};
-        else if (glm::length(glm::cross(way, shape_.axis)) < rounding)
+        else if (glm::length(glm::cross(way, shape_.axis)) < rounding_of_views)
             eye_ = glm::dvec4{std::copysign(1, along) * shape_.axis, 0};
     }
 
     /// Whether the way from the axis to a place is at right angles to the view.
     bool is_on_meridian(glm::dvec2 at) const {
-        const glm::dvec3 out = evaluate(shape_, at).at - shape_.point;
-        const glm::dvec3 from_axis = out - glm::dot(out, shape_.axis) * shape_.axis;
-        return std::abs(glm::dot(from_axis, glm::dvec3{eye_})) < rounding * glm::length(from_axis);
+        const glm::dvec3 out = way_from_axis(shape_, evaluate(shape_, at).at);
+        return std::abs(glm::dot(out, glm::dvec3{eye_})) < rounding_of_views * glm::length(out);
     }
 
     glm::dvec3 way_to_eye(const glm::dvec3& at) const { return glm::dvec3{eye_} - at * eye_.w; }
