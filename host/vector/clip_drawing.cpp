@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include "circle_crossings.hpp"
+#include "paths.hpp"
+#include "pieces.hpp"
 
 namespace lineatlas {
 namespace {
@@ -253,13 +254,9 @@ class PathPart {
     VectorPoint point_at(const PathPlace& place) const {
         const auto last = static_cast<std::uint32_t>(whole_.points.size() - 1);
         const std::uint32_t i = std::min(place.point(), last - 1);
-        const VectorPoint &a = whole_.points[i], &b = whole_.points[i + 1];
-        const double share = place.along - i;
-        return {.at = place.at,
-                .depth = glm::mix(a.depth, b.depth, share),
-                .inverse_w = glm::mix(a.inverse_w, b.inverse_w, share),
-                .world = glm::mix(a.world, b.world, share),
-                .arc = glm::mix(a.arc, b.arc, share)};
+        VectorPoint point = between(whole_.points[i], whole_.points[i + 1], place.along - i);
+        point.at = place.at;
+        return point;
     }
 
     void add_points() {
@@ -313,33 +310,6 @@ class PathPart {
     PathPlace from_, to_;
     VectorPath part_;
 };
-
-bool goes_on(const VectorArc& a, const VectorArc& b) {
-    return a.center == b.center && a.major == b.major && a.ratio == b.ratio &&
-           std::signbit(a.sweep) == std::signbit(b.sweep);
-}
-
-/// Adds to the end of a path what begins there.
-void append(VectorPath& path, const VectorPath& more) {
-    const auto shift = static_cast<std::uint32_t>(path.points.size() - 1);
-    path.points.insert(path.points.end(), more.points.begin() + 1, more.points.end());
-    for (VectorPiece piece : more.pieces) {
-        piece.point += shift;
-        path.pieces.push_back(piece);
-    }
-    for (VectorCurve curve : more.curves) {
-        curve.first += shift;
-        curve.last += shift;
-        VectorCurve* before = path.curves.empty() ? nullptr : &path.curves.back();
-        if (before != nullptr && before->last == curve.first && !before->cubic && !curve.cubic &&
-            goes_on(before->arc, curve.arc)) {
-            before->last = curve.last;
-            before->arc.sweep += curve.arc.sweep;
-        } else {
-            path.curves.push_back(curve);
-        }
-    }
-}
 
 /// Adds the parts of a path that lie in the circle.
 void add_parts(const VectorPath& path, const Circle& circle, std::vector<VectorPath>& parts) {

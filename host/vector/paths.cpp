@@ -1,6 +1,7 @@
 #include "paths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "pieces.hpp"
@@ -116,11 +117,26 @@ void rotate(VectorPath& path, std::size_t first) {
 }
 
 void append(VectorPath& path, const VectorPath& next) {
+    const auto goes_on = [](const VectorCurve& a, const VectorCurve& b) {
+        return !a.cubic && !b.cubic && a.last == b.first && a.arc.center == b.arc.center &&
+               a.arc.major == b.arc.major && a.arc.ratio == b.arc.ratio &&
+               std::signbit(a.arc.sweep) == std::signbit(b.arc.sweep);
+    };
     const auto offset = static_cast<std::uint32_t>(path.points.size() - 1);
     path.points.insert(path.points.end(), next.points.begin() + 1, next.points.end());
     for (VectorPiece piece : next.pieces) {
         piece.point += offset;
         path.pieces.push_back(piece);
+    }
+    for (VectorCurve curve : next.curves) {
+        curve.first += offset;
+        curve.last += offset;
+        if (!path.curves.empty() && goes_on(path.curves.back(), curve)) {
+            path.curves.back().last = curve.last;
+            path.curves.back().arc.sweep += curve.arc.sweep;
+        } else {
+            path.curves.push_back(curve);
+        }
     }
 }
 
