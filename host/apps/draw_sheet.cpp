@@ -66,14 +66,18 @@ class Finder {
 
 /// The rest of a model that a section's plane cuts.
 struct CutModel {
-    Mesh mesh;
+    std::string name; ///< of the plane
+    Section section;
     LineSet lines;
+    Finder finder;
 
-    CutModel(const Subject& subject, const SectionPlane& plane, const Hatching& hatching) {
-        Section section = cut_mesh(subject.mesh, {{plane}}, hatching);
+    CutModel(const DrawArguments& arguments, const Subject& subject, const SectionPlane& plane,
+             const VisibilityOptions& wanted, const Style& style)
+        : name(plane.name),
+          section(cut_mesh(subject.mesh, {{plane}}, arguments.sections.hatching())),
+          lines(extract_lines(section.mesh, subject.line_options)),
+          finder(arguments.device, lines, wanted, style) {
         print_notes(section.notes);
-        mesh = std::move(section.mesh);
-        lines = extract_lines(mesh, subject.line_options);
     }
 };
 
@@ -86,13 +90,14 @@ VectorSheet find_views(const DrawArguments& arguments, const SheetSubject& sheet
                                    .step = options.step,
                                    .outlines = tells_outlines(style)};
     Finder whole{arguments.device, subject.lines, wanted, style};
-    std::optional<CutModel> cut; // of the view that is drawn
+    std::optional<CutModel> cut; // of the last section; its details follow it
     const auto find = [&](const SheetView& view) -> SeenLines {
         if (!view.cut) return whole.find(view);
-        cut.emplace(subject, *view.cut, arguments.sections.hatching());
-        SeenLines seen = Finder{arguments.device, cut->lines, wanted, style}.find(view);
+        if (!cut || cut->name != view.cut->name)
+            cut.emplace(arguments, subject, *view.cut, wanted, style);
+        SeenLines seen = cut->finder.find(view);
         seen.lines = &cut->lines;
-        seen.mesh = &cut->mesh;
+        seen.mesh = &cut->section.mesh;
         return seen;
     };
     return make_vector_sheet(subject.lines, sheet.layout, find, options.style,

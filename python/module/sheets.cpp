@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,16 +70,19 @@ VectorSheet draw(Drawer& drawer, SheetOptions options, const Style& style,
     const Framing framing = framing_of(subject->lines);
     if (!framing.note.empty()) notes.push_back(framing.note);
     const SheetLayout layout = lay_out_sheet(framing.points, options);
-    std::shared_ptr<const ModelLines> cut; // of the view that is drawn
+    std::optional<Drawer> rest; // of the last section; its details follow it
+    std::string plane;          // of that section
     const auto find = [&](const SheetView& view) -> SeenLines {
         if (!view.cut) return seen(drawer, subject, view, style, asked);
         if (drawer.is_changed())
             throw UsageError(view.name +
                              ": the model was changed after it was made; a section is of "
                              "a mesh as it is");
-        Drawer rest{cut_lines(*subject, *view.cut, notes, asked), drawer.device()};
-        cut = rest.subject();
-        SeenLines found = seen(rest, cut, view, style, asked);
+        if (!rest || plane != view.cut->name)
+            rest.emplace(cut_lines(*subject, *view.cut, notes, asked), drawer.device());
+        plane = view.cut->name;
+        const std::shared_ptr<const ModelLines> cut = rest->subject();
+        SeenLines found = seen(*rest, cut, view, style, asked);
         found.lines = &cut->lines;
         found.mesh = &cut->model->mesh;
         return found;
