@@ -340,7 +340,9 @@ struct Form {
     bool whole = true;    ///< all stages; else those of a frame up to its runs
 };
 
-void check(const compute::OpenClDevice& device, const Form& form, const LineSet& lines) {
+/// ran: gets the names of the commands that the device has run.
+void check(const compute::OpenClDevice& device, const Form& form, const LineSet& lines,
+           std::set<std::string>& ran) {
     compute::OpenClDevice shaped = device;
     shaped.is_cpu = form.cpu;
     StageSettings settings = small;
@@ -352,7 +354,11 @@ void check(const compute::OpenClDevice& device, const Form& form, const LineSet&
         tuning.depth_tile = 32; // because Oclgrind is slow for every texel
         FrameStages stages{compute::make_opencl_backend(device, {}, tuning), lines, settings};
         name = stages.device().description();
-        return run_all(stages, lines, form.whole);
+        const auto log = stages.device().begin_log();
+        std::vector<std::byte> result = run_all(stages, lines, form.whole);
+        for (const compute::CommandTime& command : log->read()) ran.emplace(command.name);
+        stages.device().end_log();
+        return result;
     };
     if (result_with(0x3D) != result_with(0xC2)) {
         throw Error("a result depends on memory that nobody has written");
@@ -380,7 +386,9 @@ void run(int count, char** arguments) {
     const auto devices = compute::list_opencl_devices();
     if (devices.empty()) throw Error("there is no OpenCL device");
     const LineSet lines = extract_lines(cylinder(7, true), {.separate_objects = true});
-    for (const Form& form : forms(count, arguments)) check(devices[0], form, lines);
+    std::set<std::string> ran;
+    for (const Form& form : forms(count, arguments)) check(devices[0], form, lines, ran);
+    for (const std::string& name : ran) std::cout << "ran " << name << '\n';
 }
 
 } // namespace
