@@ -49,14 +49,14 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
                     std::span<const TriangleRange> ranges, const FillView& view, const Fill& fill,
                     GLuint framebuffer) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    set_viewport(view.origin, view.viewport);
+    set_viewport({0, 0}, view.viewport);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisablei(GL_BLEND, 0);
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    clear_depth(view.origin, view.viewport);
+    clear_depth({0, 0}, view.viewport);
 
     if (!commands_.take(ranges, purpose::fill)) return;
 
@@ -88,7 +88,7 @@ void FillPass::draw(const TriangleBuffers& triangles, const TriangleColors& colo
         program.set("vertices", 4);
         program.set("eye_from_normal",
                     glm::mat4{glm::transpose(glm::inverse(glm::mat3{view.eye_from_world}))});
-        program.set("viewport", glm::vec4{view.origin, view.viewport});
+        program.set("viewport", glm::vec2{view.viewport});
     }
 
     glVertexArrayVertexBuffer(vertex_array_.id(), 0, triangles.vertices, 0, 3 * sizeof(float));

@@ -33,7 +33,6 @@ struct FillView {
     glm::mat4 clip_from_world;
     glm::mat4 eye_from_world;
     glm::ivec2 viewport;
-    glm::ivec2 origin{0, 0};        ///< its lower left corner in the framebuffer
     glm::vec4 tile = whole_picture; ///< tile_transform(): `viewport` is a part of the picture
 };
 
@@ -42,9 +41,9 @@ class FillPass {
   public:
     FillPass();
 
-    /// Draws these pieces of the list of triangles into `framebuffer`, which needs a depth
-    /// attachment; its depth is cleared. Throws DeviceError if GL cannot read so many colours or
-    /// normals.
+    /// Draws these pieces of the list of triangles into the lower left corner of `framebuffer`,
+    /// which needs a depth attachment; its depth is cleared there. Throws DeviceError if GL cannot
+    /// read so many colours or normals.
     void draw(const TriangleBuffers& triangles, const TriangleColors& colors,
               const std::optional<SmoothTriangles>& smooth, std::span<const TriangleRange> ranges,
               const FillView& view, const Fill& fill, GLuint framebuffer);

@@ -41,17 +41,32 @@ void LayerPass::draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part,
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 
+    program_.use();
+    const glm::vec2 whole{size_};
+    program_.set("part", glm::vec4{glm::vec2{drawn} / whole, glm::vec2{part.low} / whole});
+    lay(program_, texture_.id(), part, framebuffer, origin);
+}
+
+void LayerPass::draw_mean(GLuint texture, int scale, glm::ivec2 size, GLuint framebuffer,
+                          glm::ivec2 origin) {
+    if (!mean_program_)
+        mean_program_.emplace(std::vector<std::string_view>{"layer.vert", "layer.frag"}, "MEAN");
+    mean_program_->use();
+    mean_program_->set("scale", scale);
+    mean_program_->set("origin", origin);
+    lay(*mean_program_, texture, {{0, 0}, size}, framebuffer, origin);
+}
+
+void LayerPass::lay(const Program& program, GLuint texture, const TexelRectangle& part,
+                    GLuint framebuffer, glm::ivec2 origin) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    set_viewport(origin + part.low, drawn);
+    set_viewport(origin + part.low, part.size());
     glDisable(GL_DEPTH_TEST);
     glEnablei(GL_BLEND, 0);
     glBlendEquationi(0, GL_FUNC_ADD);
     glBlendFunci(0, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glBindTextureUnit(0, texture_.id());
-    program_.use();
-    program_.set("pixels", 0);
-    const glm::vec2 whole{size_};
-    program_.set("part", glm::vec4{glm::vec2{drawn} / whole, glm::vec2{part.low} / whole});
+    glBindTextureUnit(0, texture);
+    program.set("pixels", 0);
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisablei(GL_BLEND, 0);

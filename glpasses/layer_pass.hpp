@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/vec2.hpp>
 
 #include "core/screen_bounds.hpp"
@@ -8,7 +10,7 @@
 
 namespace lineatlas::gl {
 
-/// Lays pixels that kernels drew over the picture.
+/// Lays what was drawn elsewhere over the picture.
 class LayerPass {
   public:
     LayerPass();
@@ -20,11 +22,19 @@ class LayerPass {
     void draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part, GLuint framebuffer,
               glm::ivec2 origin);
 
+    /// The same from a texture, of which the mean of each `scale` by `scale` texels makes a pixel,
+    /// rounded to 8 bits per channel. `size` pixels are laid, from the texture's lower left corner.
+    void draw_mean(GLuint texture, int scale, glm::ivec2 size, GLuint framebuffer,
+                   glm::ivec2 origin);
+
   private:
     void make_room(glm::ivec2 size);
+    void lay(const Program& program, GLuint texture, const TexelRectangle& part, GLuint framebuffer,
+             glm::ivec2 origin);
 
     Program program_;
-    VertexArray vertex_array_; ///< without attributes
+    std::optional<Program> mean_program_; ///< made when first used
+    VertexArray vertex_array_;            ///< without attributes
     Texture2D texture_;
     glm::ivec2 size_{0, 0}; ///< of the texture
 };

@@ -33,12 +33,12 @@ uniform samplerBuffer vertices;
 uniform mat4 clip_from_world;
 uniform mat4 eye_from_normal; // of directions
 uniform vec4 tile;
-uniform vec4 viewport; // lower left corner and size, pixels
+uniform vec2 viewport; // size
 
 // A corner in clip space, with this pixel in the middle: little is lost where triangles are small.
 vec2 corner_about_pixel(uint vertex) {
     vec4 clip = clip_from_world * vec4(texelFetch(vertices, int(vertex)).xyz, 1.0);
-    vec2 at = (gl_FragCoord.xy - viewport.xy) / viewport.zw * 2.0 - 1.0;
+    vec2 at = gl_FragCoord.xy / viewport * 2.0 - 1.0;
     return clip.xy * tile.xy + clip.w * (tile.zw - at);
 }
 

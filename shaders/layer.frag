@@ -1,11 +1,26 @@
 #version 450 core
-// layer: the pixel of a picture that kernels drew.
+// layer: the pixel of a picture that was drawn elsewhere. MEAN: the mean of its texels, rounded as fill.cl does.
 
-uniform sampler2D pixels; // premultiplied; the nearest
-
-in vec2 place;
+uniform sampler2D pixels; // premultiplied
 
 layout(location = 0) out vec4 picture;
 
+#ifdef MEAN
+uniform int scale;    // texels per pixel and axis
+uniform ivec2 origin; // of the layer in the framebuffer
+
+void main() {
+    ivec2 first = (ivec2(gl_FragCoord.xy) - origin) * scale;
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < scale; ++y) {
+        for (int x = 0; x < scale; ++x) sum += round(255.0 * texelFetch(pixels, first + ivec2(x, y), 0));
+    }
+    int count = scale * scale;
+    picture = floor((sum + float(count / 2)) / float(count)) / 255.0;
+}
+#else
+in vec2 place;
+
 // Sampled, not fetched: llvmpipe takes a quarter less time.
 void main() { picture = texture(pixels, place); }
+#endif

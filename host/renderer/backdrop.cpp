@@ -1,31 +1,40 @@
 #include "backdrop.hpp"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "core/paper.hpp"
-#include "lineatlas/error.hpp"
+#include "core/tiles.hpp"
 
 namespace lineatlas {
 
-void Backdrop::check_fill(GLuint framebuffer) {
-    if (!has_depth_attachment(framebuffer)) {
-        throw UsageError("fill: the framebuffer has no depth attachment; add one or draw without "
-                         "a fill");
-    }
+gl::Canvas& Backdrop::texels(glm::ivec2 size) {
+    if (!texels_ || glm::any(glm::greaterThan(size, texels_->size())))
+        texels_.emplace(texels_ ? glm::max(size, texels_->size()) : size);
+    texels_->clear(glm::vec4{0});
+    return *texels_;
 }
 
 void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen) {
     if (fill.mode == FillMode::none) return;
-    check_fill(frame.framebuffer);
     if (!fill_pass_) fill_pass_.emplace();
+    if (!layer_) layer_.emplace();
     const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
+    const int scale = frame.depth_scale();
     frame.clock.gl("fill", [&] {
-        fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
-                         is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt, seen,
-                         {.clip_from_world = frame.camera.clip_from_world(),
-                          .eye_from_world = frame.camera.view,
-                          .viewport = frame.tile.size,
-                          .origin = frame.camera.origin,
-                          .tile = tile_transform(frame.tile, frame.camera.size)},
-                         fill, frame.framebuffer);
+        for (const PictureTile& part : make_tiles(frame.tile.size, most_fill_texels / scale)) {
+            gl::Canvas& canvas = texels(part.size * scale);
+            const PictureTile tile{frame.tile.low + part.low, part.size};
+            fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
+                             is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt, seen,
+                             {.clip_from_world = frame.camera.clip_from_world(),
+                              .eye_from_world = frame.camera.view,
+                              .viewport = part.size * scale,
+                              .tile = tile_transform(tile, frame.camera.size)},
+                             fill, canvas.framebuffer());
+            layer_->draw_mean(canvas.texture(), scale, part.size, frame.framebuffer,
+                              frame.camera.origin + part.low);
+        }
     });
 }
 

@@ -4,20 +4,24 @@
 #include <span>
 
 #include "frame.hpp"
+#include "glpasses/canvas.hpp"
 #include "glpasses/fill_pass.hpp"
+#include "glpasses/layer_pass.hpp"
 #include "glpasses/paper_pass.hpp"
 #include "lineatlas/style.hpp"
 
 namespace lineatlas {
 
+/// Texels per side that a fill draws at once, however large the picture is.
+inline constexpr int most_fill_texels = 4096;
+
 /// The parts of a drawing besides its lines: colours under the lines, and the paper's grain over
 /// everything.
 class Backdrop {
   public:
-    /// Throws UsageError if the framebuffer has no depth.
-    static void check_fill(GLuint framebuffer);
-    /// The raster form of `fill`, before the strokes. `seen`: the pieces of the model that may be
-    /// seen (DepthStage::drawn()). Changes the framebuffer's depth. Throws as check_fill() does.
+    /// The raster form of `fill`, before the strokes: `depth_scale` by `depth_scale` texels make a
+    /// pixel, as in the compute form. `seen`: the pieces of the model that may be seen
+    /// (DepthStage::drawn()).
     void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);
     /// As above, with the whole model.
     void draw_fill(Frame& frame, const Fill& fill);
@@ -26,8 +30,13 @@ class Backdrop {
     void draw_paper(Frame& frame, const Paper& paper);
 
   private:
+    /// Nothing yet, in at least so many texels.
+    gl::Canvas& texels(glm::ivec2 size);
+
     // Made when first used.
     std::optional<gl::FillPass> fill_pass_;
+    std::optional<gl::Canvas> texels_;
+    std::optional<gl::LayerPass> layer_;
     std::optional<gl::PaperPass> paper_pass_;
 };
 

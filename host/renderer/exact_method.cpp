@@ -80,9 +80,9 @@ bool ExactMethod::grow() {
 void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
     const Fill& fill = frame.options.style.fill;
     if (!FillStage::draws(frame, depth_)) return frame.backdrop.draw_fill(frame, fill, seen);
-    // The method draws tiles of its own, because its pictures may be as large as GL can draw.
-    constexpr int most_texels = 4096;
-    for (const PictureTile& part : make_tiles(frame.tile.size, most_texels / frame.depth_scale())) {
+    // Tiles of their own, because pictures of the method may be as large as GL can draw.
+    for (const PictureTile& part :
+         make_tiles(frame.tile.size, most_fill_texels / frame.depth_scale())) {
         const PictureTile tile{frame.tile.low + part.low, part.size};
         const compute::DepthTile depth = depth_.draw_tile(frame, tile);
         fill_.color(frame, depth_, tile, depth.origin);

@@ -17,7 +17,6 @@ void FillStage::prepare(const Frame& frame) {
 }
 
 void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low) {
-    Backdrop::check_fill(frame.framebuffer);
     size_ = tile.size;
     prepare(frame);
     // Only pixels whose texels have all been drawn. Kernels draw some texels more around the model.

@@ -26,7 +26,7 @@ class FillStage {
     }
 
     /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
-    /// buffer in the whole picture. Throws as Backdrop::check_fill() does.
+    /// buffer in the whole picture.
     void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
 
     /// Draws the fill of a whole picture that `depth` was drawn for, in either form.

@@ -82,7 +82,6 @@ void check_framebuffer(GLuint framebuffer, const FrameOptions& options) {
         throw UsageError("method opengl: the framebuffer has no depth attachment; add one or use "
                          "method atlas");
     }
-    if (options.style.fill.mode != FillMode::none) Backdrop::check_fill(framebuffer);
 }
 
 /// The progress callback, called in the program's own GL state. Both arguments must outlive it.

@@ -246,10 +246,10 @@ class LINEATLAS_API Renderer {
     void prepare(const FrameOptions& options, const Progress& progress = {});
 
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
-    /// viewport, premultiplied. Fills and method opengl clear the depth there. Throws UsageError,
+    /// viewport, premultiplied. Method opengl clears the depth there. Throws UsageError,
     /// before anything is drawn, for options and a style out of range, for a camera whose picture
     /// is empty or too large or whose matrices are not finite or have no inverse, and for a
-    /// framebuffer that is not complete or lacks the depth attachment that a fill needs.
+    /// framebuffer that is not complete or lacks the depth attachment that method opengl needs.
     FrameStats draw(const Camera& camera, const FrameOptions& options, std::uint32_t framebuffer);
 
     /// The largest TileTarget::tile_size with which a picture of this size can be drawn here; 0 if
