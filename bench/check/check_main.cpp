@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <dlfcn.h>
 #include <fmt/core.h>
 

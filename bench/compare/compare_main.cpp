@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 
 #include "command_line/program.hpp"

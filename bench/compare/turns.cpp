@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 #include <unistd.h>

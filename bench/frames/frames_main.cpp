@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join

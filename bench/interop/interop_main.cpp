@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <benchmark/benchmark.h>
 
 #include "command_line/child_process.hpp"

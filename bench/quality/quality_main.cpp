@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 

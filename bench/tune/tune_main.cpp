@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 
 #include "command_line/program.hpp"

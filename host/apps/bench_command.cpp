@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <CLI/App.hpp>
+
 #include "command_line/sibling_program.hpp"
 
 namespace lineatlas::apps {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 
 #include "base/numbers.hpp"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include <CLI/App.hpp>
+#include "command_line/cli_fwd.hpp"
 
 namespace lineatlas::apps {
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "command_line/session_file.hpp"

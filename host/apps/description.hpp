@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas::apps {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <CLI/App.hpp>
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

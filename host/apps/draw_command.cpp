@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include <CLI/App.hpp>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "draw_arguments.hpp"
 
 namespace lineatlas::apps {

@@ -1,5 +1,6 @@
 #include "explode_options.hpp"
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "base/numbers.hpp"

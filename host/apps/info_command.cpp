@@ -1,6 +1,9 @@
 #include <memory>
 #include <string>
 
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+
 #include "command_line/read_options.hpp"
 #include "commands.hpp"
 #include "io/isolated.hpp"

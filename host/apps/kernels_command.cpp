@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "io/extension.hpp"

@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/renderer.hpp"
 #include "lineatlas/vector.hpp"
 

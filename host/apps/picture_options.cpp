@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <CLI/App.hpp>
+
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {

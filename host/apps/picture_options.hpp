@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/io.hpp"
 
 namespace lineatlas::apps {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 

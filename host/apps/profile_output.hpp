@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/kernel_profile.hpp"
 #include "lineatlas/renderer.hpp"
 #include "output/frame_output.hpp"

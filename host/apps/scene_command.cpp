@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 
 #include "commands.hpp"

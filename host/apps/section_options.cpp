@@ -1,5 +1,6 @@
 #include "section_options.hpp"
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 

@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/section.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "cameras/camera_file.hpp"

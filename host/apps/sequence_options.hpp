@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "lineatlas/camera_path.hpp"
 #include "lineatlas/lines.hpp"
 #include "sequence.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "core/drawing_scale.hpp"

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "command_line/cli_fwd.hpp"
 #include "command_line/view_options.hpp"
 #include "lineatlas/sheet.hpp"
 

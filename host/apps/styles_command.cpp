@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include <CLI/App.hpp>
 #include <fmt/core.h>
 
 #include "core/pens.hpp"

@@ -1,5 +1,7 @@
 #include "commands.hpp"
 
+#include <CLI/App.hpp>
+
 #include "command_line/sibling_program.hpp"
 #include "lineatlas/error.hpp"
 

@@ -1,5 +1,7 @@
 #include "device_options.hpp"
 
+#include <CLI/App.hpp>
+
 #include "lineatlas/compute_device.hpp"
 
 namespace lineatlas {

@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <CLI/App.hpp>
-
+#include "cli_fwd.hpp"
 #include "lineatlas/renderer.hpp"
 
 namespace lineatlas {

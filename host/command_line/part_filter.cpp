@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 

@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "cli_fwd.hpp"
 #include "lineatlas/io.hpp"
 
 namespace lineatlas {

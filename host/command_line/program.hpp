@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include <CLI/App.hpp>
+#include "cli_fwd.hpp"
 
 namespace lineatlas {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <CLI/App.hpp>
+
 #include "io/pen_images.hpp"
 #include "lineatlas/error.hpp"
 

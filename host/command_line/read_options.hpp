@@ -3,8 +3,7 @@
 #include <map>
 #include <string>
 
-#include <CLI/App.hpp>
-
+#include "cli_fwd.hpp"
 #include "io/isolated.hpp"
 #include "lineatlas/style.hpp"
 

@@ -1,5 +1,7 @@
 #include "style_options.hpp"
 
+#include <CLI/App.hpp>
+
 #include "lineatlas/style_files.hpp"
 #include "style/settings.hpp"
 

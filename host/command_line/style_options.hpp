@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
+#include "cli_fwd.hpp"
 #include "lineatlas/style.hpp"
 #include "setting_options.hpp"
 

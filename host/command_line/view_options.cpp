@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 

@@ -4,8 +4,7 @@
 #include <span>
 #include <string>
 
-#include <CLI/App.hpp>
-
+#include "cli_fwd.hpp"
 #include "lineatlas/camera.hpp"
 
 namespace lineatlas {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include "application.hpp"
 #include "command_line/device_options.hpp"
