@@ -166,5 +166,34 @@ TEST_F(PictureFiles, ThatArePngNeedNoOpenImageIo) {
     ::unsetenv("LINEATLAS_MODULE_DIR");
 }
 
+// Mesa's zink draws GL by a Vulkan driver, here lavapipe: another rasterizer than llvmpipe's own.
+// The item buffer is left out, since each driver has a unit of glPolygonOffset of its own.
+TEST_F(PictureFiles, AreTheSameByZinkOnLavapipe) {
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    const auto under_zink = [](const auto& action) {
+        ::setenv("GALLIUM_DRIVER", "zink", 1);
+        auto result = action();
+        ::unsetenv("GALLIUM_DRIVER");
+        return result;
+    };
+    const Result devices = under_zink([] { return run("devices"); });
+    if (devices.output.find("GL: zink") == std::string::npos)
+        GTEST_SKIP() << "Mesa's zink or lavapipe is missing";
+    for (const char* options :
+         {"--method atlas --atlas raster --depth raster --strokes raster", "--method spine",
+          "--method opengl --fill flat", "--fill toon --depth raster --strokes raster",
+          "--depth raster --style pencil", "--atlas raster --set halo=4 --density 0.3"}) {
+        const std::string by_cpp = std::string{"--compute cpp "} + options;
+        const Stored usual = draw("a.png", by_cpp);
+        const Stored shown = under_zink([&] { return draw("b.png", by_cpp); });
+        ASSERT_EQ(shown.values.size(), usual.values.size());
+        std::ptrdiff_t differ = 0;
+        for (std::size_t i = 0; i < usual.values.size(); ++i)
+            differ += std::abs(usual.values[i] - shown.values[i]) > 1.5F / 255 ? 1 : 0;
+        EXPECT_LE(differ, 12) << options; // 4 pixels
+    }
+    ::unsetenv("LIBGL_ALWAYS_SOFTWARE");
+}
+
 } // namespace
 } // namespace lineatlas::test
