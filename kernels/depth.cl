@@ -8,9 +8,9 @@
  * texels they touch (Greene et al. 1993). Coverage is decided as GL does it: by texel centres, in
  * fixed point, and an edge of two triangles belongs to one of them.
  *
- * Where each triangle draws itself (Tuning::depth_each, depth_each.h), clusters are ordered in
- * chunks, all triangles that may be seen go into a table of their own, small ones first, and what
- * has been found there is stored.
+ * With Tuning::depth_each (depth_each.h) each triangle draws itself. Then clusters are sorted in
+ * chunks, all triangles that may be seen draw into a table of texels, small triangles first, and
+ * depth_end stores what the table holds.
  *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
  * once, and texels that are filled at once, 1 on GPUs. NUMBERED: each texel also gets the number of
@@ -262,7 +262,7 @@ KERNEL(depth_large, DepthParameters) {
     }
 }
 
-/* The same of those that ints don't hold, and of those that planes of the view cut. */
+/* As depth_large, for triangles that ints don't hold, and for those that planes of the view cut. */
 KERNEL(depth_pairs, DepthParameters) {
     const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
     const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);

@@ -1,24 +1,25 @@
 /* Triangles into the depth buffer, each by itself: the form of a GPU (Tuning::depth_each). Included
  * once, by depth.cl.
  *
- * What is nearest in a texel is found by atomic minima of depth and rank, where the device has
- * those of 64 bits (LONG_ATOMICS). Else the depth comes first, and then, of the triangles that have
- * that depth there, the one of the lowest rank, which the tiles' form draws first. So all forms
- * give the same bits: a plane is followed from the texel on from which that form follows it, which
- * depends on where its tiles of DEPTH_TILE texels begin, and on LANES.
+ * Atomic minima of depth and rank find what is nearest in a texel, if the device has atomics of 64
+ * bits (LONG_ATOMICS). Otherwise a first pass finds the depth, and a second pass the lowest rank of
+ * the triangles that have this depth. The form by tiles draws triangles in the order of their
+ * ranks. A plane is followed from the same texel on as in that form, which depends on where tiles
+ * of DEPTH_TILE texels begin, and on LANES. So all forms give the same bits.
  *
  * A triangle whose box has few texels is filled by one work-item. The others are listed, and
  * LA_DEPTH_SHARE work-items share each. */
 
 /* Texels of the box around a triangle that one work-item fills. */
 #define FEW_TEXELS 64
-/* Of the work-items that share a triangle, so many squared share a piece of it. */
+/* The square of this is the number of work-items that fill one piece of a triangle together. */
 #define SHARE_SIDE 8
 /* Marks entries of the list of large triangles that ints don't hold, or planes of the view cut. */
 #define SET_UP_IN_PAIRS 0x80000000u
-/* Marks those that all of LA_DEPTH_SHARE work-items share; of others the first ones do. */
+/* Marks large triangles that all LA_DEPTH_SHARE work-items share. Only the first SHARE_SIDE squared
+ * of them share any other large triangle. */
 #define WIDE 0x40000000u
-/* Tiles that a triangle touches which is not wide. */
+/* The most tiles that a triangle may touch and not be wide. */
 #define FEW_TILES 8
 
 /* Depths as whole numbers of the same order. */

@@ -6,9 +6,11 @@
 #define GRID_BITS 8
 #define GRID 256
 
-/* A triangle whose area on the grid is so many times that between its corners is a sliver. */
+/* A triangle is a sliver if its area on the grid is more than this many times the area between its
+ * corners. */
 #define SLIVER 4.0f
-/* How much farther a triangle or a box is taken to be that may be hidden: rounding of planes. */
+/* Window depth by which a triangle or a box counts as nearer when it is tested for being hidden,
+ * since planes are rounded. */
 #define PLANE_ROUNDING 1e-6f
 
 /* What is inside of three lines: a x + b y + c is at least 0 for each, in texels counted from where

@@ -8,8 +8,9 @@
 /* Floats from row to row: vectors that begin in the tile may end beyond it. */
 #define TILE_STRIDE (DEPTH_TILE + 2 * LANES)
 
-/* What a block of a tile is: untouched, and not even in local memory; drawn to, its farthest depth
- * as said; drawn to since. */
+/* The state of a block of a tile. UNTOUCHED: nothing was drawn to it, and it is not in local
+ * memory. KNOWN: `farthest` is its farthest depth. STALE: something was drawn to it after
+ * `farthest` was computed. */
 #define BLOCK_UNTOUCHED 0
 #define BLOCK_KNOWN 1
 #define BLOCK_STALE 2
@@ -19,7 +20,7 @@ typedef struct Tile {
     __local int* numbers; /* NUMBERED: of the triangle that each texel shows */
     int2 low;             /* its first texel in the whole picture */
     int2 size;            /* texels of the picture that it has */
-    bool begins;          /* what is untouched shows nothing; else what was drawn before */
+    bool begins;          /* untouched blocks show nothing; else what was drawn before */
     bool keeps_depth;     /* `depth` is stored */
     /* The images from the tile's first texel on, and texels of theirs from row to row. */
     __global float* depth;

@@ -5,22 +5,22 @@
 
 #define FAR_AWAY 1e9f
 
-/* Compiled for each set of constants that it is called with: compilers don't see that it pays. */
+/* A run as coverage_at() needs it. */
 typedef struct Stroke {
     float2 start, end; /* window positions */
     float2 along;      /* direction */
     float length;
-    float2 start_side; /* to the left along the line that ends it, ... */
-    float2 end_side;
-    float before, after; /* ... which is so far beyond the end, pixels */
+    float2 start_side;   /* direction of the line at which it starts, to the left */
+    float2 end_side;     /* of the line at which it ends */
+    float before, after; /* pixels that it covers beyond these two lines */
     float round_from;    /* round beyond these, pixels along it */
     float round_to;
     float cut_from, cut_to; /* cut square there */
-    float first_sample;     /* position in samples at the start, */
-    float sample_step;      /* per pixel */
-    float last_sample;      /* of the segment */
-    float first_turn;       /* repeats of the mark at the start, */
-    float turn_step;        /* per pixel */
+    float first_sample;     /* position in samples at the start */
+    float sample_step;      /* samples per pixel */
+    float last_sample;      /* number of the segment's last sample */
+    float first_turn;       /* repeats of the mark before the start */
+    float turn_step;        /* repeats per pixel */
     float reach;            /* half the width, and the fringe */
     float most;             /* coverage in its middle: a thin line never covers a pixel */
     float opacity;
@@ -29,8 +29,8 @@ typedef struct Stroke {
     bool is_solid;           /* the atlas has no samples of it */
     bool is_marked;          /* its mark is not solid */
     bool is_thinned;         /* `density` leaves some of it out, differently along it */
-    uint bin;                /* its priority there, */
-    float next_bin;          /* with this share of the next one */
+    uint bin;                /* its bin of priority in `density` */
+    float next_bin;          /* the share of it that counts in the next bin */
 } Stroke;
 
 static uint end_kind(const uint flags, const uint shift) {

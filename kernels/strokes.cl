@@ -5,8 +5,9 @@
  * The result is a byte of coverage per pixel and pen; all strokes of a pen have one colour.
  *
  * strokes_count, strokes_list: one work-item per chunk. strokes_tiles: one work-item per tile,
- * which is in local memory. Or strokes_boxes, one work-item per run, and strokes_pixels, one per
- * DEPTH_LANES pixels (Tuning::stroke_pixels): those of a GPU. */
+ * which it keeps in local memory. On a GPU (Tuning::stroke_pixels) two kernels replace
+ * strokes_tiles: strokes_boxes, one work-item per run, and strokes_pixels, one per DEPTH_LANES
+ * pixels. */
 
 #define LANES DEPTH_LANES
 #include "stroke.h"
