@@ -10,8 +10,7 @@
 #include "lineatlas/style.hpp"
 #include "lineatlas/vector.hpp"
 
-/// @file
-/// Fills of drawings as paths: what of each part is seen in which colour.
+/// @file Fills of drawings as paths: areas of what is seen, one for each part and colour.
 
 namespace lineatlas {
 
