@@ -10,7 +10,8 @@
 #include "lineatlas/style.hpp"
 #include "lineatlas/vector.hpp"
 
-/// @file Fills of drawings as paths: areas of what is seen, one for each part and colour.
+/// @file
+/// Fills of drawings as paths: areas of what is seen, one for each part and colour.
 
 namespace lineatlas {
 
