@@ -77,11 +77,11 @@ struct Paper {
 /// `falloff` everything goes smoothly from its own value to its value far away.
 struct Focus {
     bool on = false;       ///< false: all is near
-    bool in_scene = false; ///< `point` is in the scene, else in the window
-    /// Scene: about the origin of the mesh (LoadedMesh::origin), as its positions. Window: shares
-    /// of its width and height from the lower left.
+    bool in_scene = false; ///< `point` is one of the model, else one of the window
+    /// Of the model: relative to the origin of the mesh (LoadedMesh::origin), as its positions are.
+    /// Of the window: shares of its width and height from the lower left.
     glm::dvec3 point{0.5, 0.5, 0};
-    /// Window: shares of its height; scene: of the model's diagonal; 0 to 1000.
+    /// Shares of the window's height, or of the model's diagonal; 0 to 1000.
     float radius = 0.2F;
     float falloff = 0.3F;     ///< the same
     float width = 0.5F;       ///< factor of the width far away, 0 to 100
