@@ -190,7 +190,7 @@ typedef struct CornerPlane {
     float x, y, z, z_x, z_y;
 } CornerPlane;
 
-/* As set_up() makes it. doubled: the area on the grid, times two, of which there is some. */
+/* As set_up() makes it. doubled: twice the area on the grid, not 0. */
 static CornerPlane plane_in_ints(const Turned* t, const int doubled) {
     const float area_there = (float)doubled * (1.0f / (GRID * GRID)), unit = 1.0f / GRID;
     float ax = t->a.x, ay = t->a.y, bx = t->b.x, by = t->b.y, cx = t->c.x, cy = t->c.y;
