@@ -28,8 +28,8 @@ static float from_ordered(const uint x) {
     return as_float((x & 0x80000000u) != 0 ? x & 0x7FFFFFFFu : ~x);
 }
 
-/* Enters face t into its tiles, or those of a slice: counts, or writes where `ends` says, which it
- * moves on, and how near and how far entries are. */
+/* Enters face t into its tiles, or into those of a slice. Counts entries, or writes them at the
+ * places in `ends`, which the function moves on, and notes how near and how far they are. */
 INLINED void enter(const ExactParameters* args, const uint t, const uint chunk,
                    const ScreenFace box, __global const float* vertices,
                    __global const uint* triangles, __global const float* screen,
