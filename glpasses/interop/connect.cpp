@@ -40,8 +40,7 @@ void refuse_collision(const compute::OpenClDevice& device) {
                       "need no GL");
 }
 
-/// What speaks against a mode, as far as can be told without building anything. Empty: worth
-/// trying.
+/// The reason against a mode, found without building anything. Empty: the mode is worth trying.
 std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
     if (collides(device)) return collision;
     if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
