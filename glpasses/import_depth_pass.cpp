@@ -57,13 +57,14 @@ DepthValues check_depth_texture(GLuint texture, glm::ivec2 origin, glm::ivec2 si
                                      : "is not a 2D texture");
     }
     const GLint bits = level_parameter(texture, GL_TEXTURE_DEPTH_SIZE);
-    if (bits == 0) refuse(texture, "has no depth: its format is not one of a depth buffer");
+    if (bits == 0) refuse(texture, "has no depth; its format must be one of a depth buffer");
     if (parameter(texture, GL_DEPTH_STENCIL_TEXTURE_MODE) != GL_DEPTH_COMPONENT) {
-        refuse(texture, "is set to be read as stencil (GL_DEPTH_STENCIL_TEXTURE_MODE)");
+        refuse(texture,
+               "is read as stencil; set GL_DEPTH_STENCIL_TEXTURE_MODE to GL_DEPTH_COMPONENT");
     }
     if (parameter(texture, GL_TEXTURE_BASE_LEVEL) != 0 ||
         parameter(texture, GL_TEXTURE_SWIZZLE_R) != GL_RED) {
-        refuse(texture, "has another base level than 0, or a swizzle");
+        refuse(texture, "has another base level than 0, or a swizzle; reset both");
     }
     const glm::ivec2 whole{level_parameter(texture, GL_TEXTURE_WIDTH),
                            level_parameter(texture, GL_TEXTURE_HEIGHT)};

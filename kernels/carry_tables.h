@@ -3,7 +3,7 @@
 #define LINEATLAS_CARRY_TABLES_H
 
 typedef struct CarryParameters {
-    la_uint count;    /* silhouettes; of carry_runs runs that there is room for */
+    la_uint count;    /* silhouettes; for carry_runs the runs that there is room for */
     la_uint first;    /* of them in the segment table */
     la_vec2 viewport; /* pixels */
     la_uint frame;    /* number of this frame; only what the frame before it remembered counts */

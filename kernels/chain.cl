@@ -6,9 +6,9 @@
  * in the chain, and chain_write writes the segments. All numbers are whole, except in the choice of
  * the straightest pair, and results do not depend on the order in which work-items run. A chain is
  * named after its least silhouette, begins there if it is a loop, and runs in the direction of that
- * one. So a chain keeps its name from frame to frame as long as that edge is a silhouette. If the
- * frame before is known, its silhouettes come first in the order and keep their direction. Then a
- * chain keeps its name as long as any of its edges is a silhouette. */
+ * silhouette. So a chain keeps its name from frame to frame as long as that edge is a silhouette.
+ * If the frame before is known, its silhouettes come first in the order and keep their direction.
+ * Then a chain keeps its name as long as any of its edges is a silhouette. */
 
 #include "kernels.h"
 #include "shared/clipping.h"

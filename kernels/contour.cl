@@ -1,14 +1,14 @@
 /* contour: silhouettes of smooth surfaces: where the normal, interpolated between the corners of a
- * triangle, is at a right angle to the view (Hertzmann and Zorin 2000). A triangle of which some
- * corners face the eye and some do not has one segment, from edge to edge. On each of the two edges
- * the segment ends at the same place as that of the triangle beyond.
+ * triangle, is at a right angle to the view (Hertzmann and Zorin 2000). If some corners of a
+ * triangle face the eye and some do not, the triangle has one segment, from edge to edge. The
+ * triangle beyond each of the two edges has a segment that ends at the same place.
  *
  * A place on an edge is not on the edge's chord, which runs below the surface, but on the cubic
  * that leaves its ends at right angles to their normals (the borders of PN triangles: Vlachos et
- * al. 2001). Only at a border of the surface the place is on the chord, because the line that goes
- * on there is. With each place stands another one, lifted off the surface by more than triangles
- * reach beyond their contour. Methods that know no surfaces test the visibility of the lifted
- * place.
+ * al. 2001). Only at a border of the surface the place is on the chord, because the line that
+ * continues the silhouette runs along the chord. A second place stands with each place, lifted off
+ * the surface by more than triangles reach beyond their contour. Methods that know no surfaces test
+ * the visibility of the lifted place.
  *
  * contour_turn updates the normals of objects that move, contour_normals those of objects that
  * change their shape. They run only after such a change. */

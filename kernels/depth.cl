@@ -8,9 +8,9 @@
  * texels they touch (Greene et al. 1993). Coverage is decided as GL does it: by texel centres, in
  * fixed point, and an edge of two triangles belongs to one of them.
  *
- * Where each triangle draws itself (Tuning::depth_each, depth_each.h), clusters are ordered in
- * chunks, all triangles that may be seen go into a table of their own, small ones first, and what
- * has been found there is stored.
+ * With Tuning::depth_each (depth_each.h) each triangle draws itself. Then clusters are sorted in
+ * chunks, all triangles that may be seen draw into a table of texels, small triangles first, and
+ * depth_end stores what the table holds.
  *
  * DEPTH_TILE: texels a side, whole blocks of LA_TILE. DEPTH_LANES: triangles that are set up at
  * once, and texels that are filled at once, 1 on GPUs. NUMBERED: each texel also gets the number of
@@ -95,7 +95,7 @@ INLINED uint touching(const Tile* tile, __global const int* boxes, const uint st
                      (LOAD_INTS(boxes + 3u * stride) >= below));
 }
 
-/* Draws all that touches the tile into it; false if there was nothing. */
+/* Draws all triangles that touch the tile. Returns false if there are none. */
 INLINED bool draw_tile(const DepthParameters* args, const View* view, Tile* tile,
                        __global const int* boxes, __global const float* nearest,
                        __global const uint* order, const uint total,
@@ -127,9 +127,9 @@ INLINED bool draw_tile(const DepthParameters* args, const View* view, Tile* tile
     return any;
 }
 
-/* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it. blank: of
- * each of its tiles 1 if what is kept is known to show nothing there; before, too.
- * seen[i]: 1 if cluster i was drawn anywhere. */
+/* next: counts the tiles that have been taken; 0 before. pyramid: as `pyramid` leaves it. blank:
+ * for each of its tiles 1 if the kept depth is known to show nothing there, before the launch and
+ * after it. seen[i]: 1 if cluster i was drawn anywhere. */
 KERNEL(depth_tiles, DepthParameters) {
     LOCAL_TABLE(float, texels, TILE_STRIDE* DEPTH_TILE);
 #ifdef NUMBERED
@@ -138,7 +138,8 @@ KERNEL(depth_tiles, DepthParameters) {
     const int2 tiles = to_int2(args.tiles), origin = to_int2(args.origin);
     const int2 depth_size = to_int2(args.depth_size), covered = to_int2(args.covered);
     const uint tile_count = (uint)(tiles.x * tiles.y);
-    /* Where there is a work-item for each, none takes another's: drivers may end long loops. */
+    /* If there is a work-item for each tile, none takes a second tile, because drivers may end long
+     * loops. */
     const bool one_each = get_global_size(0) >= tile_count;
     const View view = make_view(&args);
     Tile tile;
@@ -189,7 +190,7 @@ static uint2 clusters_of(const DepthParameters* args, const uint chunk) {
                  min((chunk + 1u) * args->chunk, args->count));
 }
 
-/* counts: of each key, for each chunk, its clusters; all 0 before. One work-item per chunk. */
+/* counts: for each key and chunk the number of clusters; all 0 before. One work-item per chunk. */
 KERNEL(depth_keys, DepthParameters) {
     const uint chunk = (uint)get_global_id(0);
     if (chunk >= args.chunks) return;
@@ -199,7 +200,8 @@ KERNEL(depth_keys, DepthParameters) {
     }
 }
 
-/* The order of depth_order. counts: scanned. positions: of each cluster in `order`. */
+/* Writes the order that depth_order writes. counts: scanned. positions: the place of each cluster
+ * in `order`. */
 KERNEL(depth_positions, DepthParameters) {
     const uint chunk = (uint)get_global_id(0);
     if (chunk >= args.chunks) return;
@@ -212,8 +214,8 @@ KERNEL(depth_positions, DepthParameters) {
     }
 }
 
-/* Fills small triangles; lists the others, but not where ranks follow depths: the list stays. One
- * work-item per triangle of a full cluster. */
+/* Fills small triangles and lists the others. The pass for ranks, which follows that for depths,
+ * uses the same list. One work-item per triangle of a full cluster. */
 KERNEL(depth_small, DepthParameters) {
     const uint i = (uint)get_global_id(0);
     const uint cluster = i / LA_MESHLET_TRIANGLES, t = i % LA_MESHLET_TRIANGLES;
@@ -262,7 +264,7 @@ KERNEL(depth_large, DepthParameters) {
     }
 }
 
-/* The same of those that ints don't hold, and of those that planes of the view cut. */
+/* As depth_large, for triangles that ints don't hold, and for those that planes of the view cut. */
 KERNEL(depth_pairs, DepthParameters) {
     const uint share = (uint)get_global_id(0) % LA_DEPTH_SHARE;
     const uint step = max((uint)get_global_size(0) / LA_DEPTH_SHARE, 1u);
@@ -285,8 +287,8 @@ KERNEL(depth_pairs, DepthParameters) {
     }
 }
 
-/* Stores what has been found, and says what blocks show, as store_tile() does. One work-item per
- * block of LA_TILE texels a side, of those in the tiles. */
+/* Stores depths and numbers, and what blocks show, as store_tile() does. One work-item per block of
+ * LA_TILE texels a side, of those in the tiles. */
 KERNEL(depth_end, DepthParameters) {
     const int2 size = to_int2(args.depth_size), low = to_int2(args.covered);
     const int2 tiles = to_int2(args.tiles);
@@ -330,7 +332,7 @@ KERNEL(depth_end, DepthParameters) {
     }
 }
 
-/* Adds to the clusters that texels show those that nothing before them hides. One work-item per
+/* Adds the clusters that nothing before them hides to those that texels show. One work-item per
  * cluster. */
 KERNEL(depth_seen, DepthParameters) {
     const uint i = (uint)get_global_id(0);

@@ -1,24 +1,25 @@
 /* Triangles into the depth buffer, each by itself: the form of a GPU (Tuning::depth_each). Included
  * once, by depth.cl.
  *
- * What is nearest in a texel is found by atomic minima of depth and rank, where the device has
- * those of 64 bits (LONG_ATOMICS). Else the depth comes first, and then, of the triangles that have
- * that depth there, the one of the lowest rank, which the tiles' form draws first. So all forms
- * give the same bits: a plane is followed from the texel on from which that form follows it, which
- * depends on where its tiles of DEPTH_TILE texels begin, and on LANES.
+ * Atomic minima of depth and rank find what is nearest in a texel, if the device has atomics of 64
+ * bits (LONG_ATOMICS). Otherwise a first pass finds the depth, and a second pass the lowest rank of
+ * the triangles that have this depth. The form by tiles draws triangles in the order of their
+ * ranks. A plane is followed from the same texel on as in that form, which depends on where tiles
+ * of DEPTH_TILE texels begin, and on LANES. So all forms give the same bits.
  *
  * A triangle whose box has few texels is filled by one work-item. The others are listed, and
  * LA_DEPTH_SHARE work-items share each. */
 
 /* Texels of the box around a triangle that one work-item fills. */
 #define FEW_TEXELS 64
-/* Of the work-items that share a triangle, so many squared share a piece of it. */
+/* The square of this is the number of work-items that fill one piece of a triangle together. */
 #define SHARE_SIDE 8
 /* Marks entries of the list of large triangles that ints don't hold, or planes of the view cut. */
 #define SET_UP_IN_PAIRS 0x80000000u
-/* Marks those that all of LA_DEPTH_SHARE work-items share; of others the first ones do. */
+/* Marks large triangles that all LA_DEPTH_SHARE work-items share. Only the first SHARE_SIDE squared
+ * of them share any other large triangle. */
 #define WIDE 0x40000000u
-/* Tiles that a triangle touches which is not wide. */
+/* The most tiles that a triangle may touch and not be wide. */
 #define FEW_TILES 8
 
 /* Depths as whole numbers of the same order. */
@@ -31,9 +32,9 @@ static float depth_of(const uint order) {
     return as_float((order & 0x80000000u) != 0 ? order & 0x7FFFFFFFu : ~order);
 }
 
-/* Ranks of triangles, in the order in which the tiles' form draws them: by cluster; by LANES
- * triangles of it; among these first those that are set up in ints, then large ones, then those
- * that are cut. */
+/* Ranks of triangles, in the order in which the form by tiles draws them: by cluster, then by LANES
+ * triangles of the cluster. Of these LANES, triangles that are set up in ints come first, then
+ * large ones, then those that are cut. */
 #define SET_UP_IN_INTS 0u
 #define LARGE 1u
 #define CUT 2u
@@ -57,7 +58,7 @@ static uint triangle_of(const uint rank) {
 #define PUT_BOTH(own, order, rank) (void)0 /* the host does not ask for it */
 #endif
 
-/* Where a triangle goes. Texels are those of the whole picture. */
+/* The target of a triangle. Texels are counted in the whole picture. */
 typedef struct Target {
     int2 origin; /* the first of the tables */
     int2 base;   /* the first tile's first */
@@ -189,7 +190,7 @@ typedef struct CornerPlane {
     float x, y, z, z_x, z_y;
 } CornerPlane;
 
-/* As set_up() makes it. doubled: the area on the grid, times two, of which there is some. */
+/* As set_up() makes it. doubled: twice the area on the grid, not 0. */
 static CornerPlane plane_in_ints(const Turned* t, const int doubled) {
     const float area_there = (float)doubled * (1.0f / (GRID * GRID)), unit = 1.0f / GRID;
     float ax = t->a.x, ay = t->a.y, bx = t->b.x, by = t->b.y, cx = t->c.x, cy = t->c.y;
@@ -227,14 +228,15 @@ static CornerPlane plane_in_pairs(const Turned* t, const la_long doubled) {
     return plane;
 }
 
-/* A plane from the texel on from which the tiles' form follows it in a tile, or a piece of one. */
+/* A plane from the texel on from which the form by tiles follows it in a tile, or in a piece of a
+ * tile. */
 typedef struct Followed {
     DepthPlane plane;
     int first; /* column of that texel */
     bool by_columns;
 } Followed;
 
-/* low: of the tile; from, to: columns that are filled; row: the first. */
+/* low: first texel of the tile; from, to: the columns that are filled; row: the first row. */
 static Followed follow(const CornerPlane plane, const int2 low, const int from, const int to,
                        const int row, const bool in_ints) {
     Followed f;
@@ -253,7 +255,7 @@ static float depth_there(const Followed* f, const int column, const int row) {
                          : x * f->plane.x + (f->plane.z + f->plane.y * y);
 }
 
-/* What edge k says of the texel at (x, y), as set_edge() does. */
+/* The value of edge k at the texel (x, y), as set_edge() computes it. */
 static int edge_at(const Turned* t, const int k, const int x, const int y) {
     const int next = k == 2 ? 0 : k + 1;
     const int way_x = t->x[next] - t->x[k], way_y = t->y[next] - t->y[k];
@@ -262,7 +264,7 @@ static int edge_at(const Turned* t, const int k, const int x, const int y) {
     return (above - (is_own ? 0 : 1)) >> GRID_BITS;
 }
 
-/* A triangle that is set up in ints, in a part of a tile from `low` on. */
+/* Fills a triangle that is set up in ints, in a part of a tile from `low` on. */
 INLINED void fill_part(const Target* to, const Turned* t, const CornerPlane plane, const int2 low,
                        const int4 part) {
     const Followed f = follow(plane, low, part.x, part.z, part.y, true);
@@ -287,7 +289,7 @@ static int tile_low(const int texel, const int base) {
     return base + (texel - base) / DEPTH_TILE * DEPTH_TILE;
 }
 
-/* A triangle whose box is `box`, set up in ints. */
+/* Fills a triangle whose box is `box`, set up in ints. */
 INLINED void fill_small(const Target* to, const float3 a, const float3 b, const float3 c,
                         const int4 box) {
     const int x0 = on_grid(a.x), y0 = on_grid(a.y);
@@ -320,7 +322,7 @@ static bool is_wide(const int4 box) {
     return ((box.z - box.x) / DEPTH_TILE + 1) * ((box.w - box.y) / DEPTH_TILE + 1) > FEW_TILES;
 }
 
-/* What work-item `share` fills between two texels. */
+/* Fills the part of work-item `share` between two texels. */
 INLINED void fill_piece(const Target* to, const Edges* edges, const Followed f, const int4 piece,
                         const uint share) {
     const int columns = piece.z - f.first, rows = piece.w - piece.y;
@@ -334,8 +336,8 @@ INLINED void fill_piece(const Target* to, const Edges* edges, const Followed f, 
     }
 }
 
-/* The edges of a triangle that is set up in ints, from the texel at `first` on; false if it does
- * not touch the box of so many more columns and rows. */
+/* Finds the edges of a triangle that is set up in ints, from the texel at `first` on. Returns false
+ * if it does not touch the box from there to `columns` and `rows` beyond. */
 static bool int_edges_in_box(const Turned* t, const int2 first, const int columns, const int rows,
                              Edges* edges) {
     for (int k = 0; k < 3; ++k) {
@@ -349,7 +351,7 @@ static bool int_edges_in_box(const Turned* t, const int2 first, const int column
     return true;
 }
 
-/* What of a triangle work-item `share` fills whose box is `box`, and which ints hold. */
+/* Fills the part of work-item `share` of a triangle that ints hold and whose box is `box`. */
 INLINED void fill_shared(const Target* to, const float3 a, const float3 b, const float3 c,
                          const int4 box, const bool wide, const uint share) {
     const int x0 = on_grid(a.x), y0 = on_grid(a.y);
@@ -412,7 +414,7 @@ INLINED void fill_in_pairs(const Target* to, const float3 a, const float3 b, con
     }
 }
 
-/* What work-item `share` fills of a triangle that planes of the view cut. */
+/* Fills the part of work-item `share` of a triangle that planes of the view cut. */
 INLINED void fill_cut(const Target* to, const View* view, const float3 a, const float3 b,
                       const float3 c, const uint share) {
     const Matrix m = view->m;

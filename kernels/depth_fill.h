@@ -6,13 +6,15 @@
 #define GRID_BITS 8
 #define GRID 256
 
-/* A triangle whose area on the grid is so many times that between its corners is a sliver. */
+/* A triangle is a sliver if its area on the grid is more than this many times the area between its
+ * corners. */
 #define SLIVER 4.0f
-/* How much farther a triangle or a box is taken to be that may be hidden: rounding of planes. */
+/* Window depth by which a triangle or a box counts as nearer when it is tested for being hidden,
+ * since planes are rounded. */
 #define PLANE_ROUNDING 1e-6f
 
-/* What is inside of three lines: a x + b y + c is at least 0 for each, in texels counted from where
- * filling begins. */
+/* The inside of three lines: a x + b y + c is at least 0 for each line, in texels counted from
+ * where filling begins. */
 typedef struct Edges {
     int a[3], b[3], c[3];
 } Edges;
@@ -22,8 +24,8 @@ typedef struct DepthPlane {
     float z, x, y;
 } DepthPlane;
 
-/* LANES texels from the one at `at` on: the nearer of what is there and the triangle, where its
- * edges let it. */
+/* Fills LANES texels, from the one at `at` on. Each gets the nearer of its depth and that of the
+ * triangle, if it is inside the edges. */
 INLINED void fill_lanes(const Tile* tile, const int at, const int number, const lanes_int outside,
                         const lanes_float z) {
     __local float* texels = tile->texels + at;
@@ -38,7 +40,7 @@ INLINED void fill_lanes(const Tile* tile, const int at, const int number, const 
 #endif
 }
 
-/* A triangle of at most `vectors` times LANES columns, from the texel at `at` on. */
+/* Fills a triangle of at most `vectors` times LANES columns, from the texel at `at` on. */
 INLINED void fill_narrow(const Tile* tile, const int at, const int number, const int rows,
                          const Edges* edges, const DepthPlane plane, const int vectors) {
     for (int v = 0; v < vectors; ++v) {
@@ -58,8 +60,8 @@ INLINED void fill_narrow(const Tile* tile, const int at, const int number, const
     }
 }
 
-/* A wider one: `texels` begin a vector. Where each row begins and ends is found for LANES rows at
- * once, in floats and a little too wide; the edges decide. */
+/* Fills a wider triangle: `texels` begin a vector. Where each row begins and ends is found for
+ * LANES rows at once, in floats and a little too wide; the edges decide. */
 INLINED void fill_wide(const Tile* tile, const int at, const int number, const int columns,
                        const int rows, const Edges* edges, const DepthPlane plane) {
     const float none = 0.0f, far = 1e6f;
@@ -108,8 +110,8 @@ INLINED void fill_wide(const Tile* tile, const int at, const int number, const i
     }
 }
 
-/* Texels a side of the pieces in which large triangles are filled: within one, what an edge says of
- * a texel fits an int. */
+/* Texels a side of the pieces in which large triangles are filled. Within a piece the value of an
+ * edge fits an int. */
 #define PIECE 64
 
 /* Corners in the whole picture, on the grid. */
@@ -117,8 +119,8 @@ typedef struct GridTriangle {
     la_long x[3], y[3];
 } GridTriangle;
 
-/* The edges from the texel at (x, y) of the tile on, as far as they matter in a box of so many more
- * columns and rows; false if the triangle doesn't touch it. */
+/* Finds the edges that matter in the box from the texel `first` to `columns` and `rows` beyond it,
+ * counted from that texel. Returns false if the triangle doesn't touch the box. */
 static bool edges_in_box(const GridTriangle* t, const int2 first, const int columns, const int rows,
                          Edges* edges) {
     for (int k = 0; k < 3; ++k) {
@@ -145,7 +147,7 @@ static float cross_of(const float* a, const float* b) {
         .high;
 }
 
-/* A triangle of any size, of corners in texels of the whole picture and window depth. */
+/* Fills a triangle of any size. Its corners are in texels of the whole picture and window depth. */
 INLINED void fill_large(Tile* tile, const int number, const float3 a, const float3 b,
                         const float3 c) {
     const float3 given[3] = {a, b, c};
@@ -177,7 +179,7 @@ INLINED void fill_large(Tile* tile, const int number, const float3 a, const floa
     const int last_y = (int)min(max(t.y[0], max(t.y[1], t.y[2])) >> GRID_BITS, top);
     if (first_x > last_x || first_y > last_y) return;
 
-    /* In pairs: of a long sliver, products of floats cancel to nothing but rounding. */
+    /* In pairs: for a long sliver, products of floats would cancel until only rounding is left. */
     float area = cross_of(x, y);
     const float area_there = (float)(turned ? -doubled : doubled) * (1.0f / (GRID * GRID));
     if (area * SLIVER < area_there) { /* as in set_up() */

@@ -11,7 +11,7 @@ typedef struct ClusterPlace {
     la_uint key;                         /* by which it is sorted, nearest first */
 } ClusterPlace;
 
-/* Keys; and that of a cluster that cannot be seen. */
+/* The number of keys, and the key of a cluster that cannot be seen. */
 #define LA_DEPTH_KEYS 1024u
 #define LA_OUT_OF_VIEW LA_DEPTH_KEYS
 
@@ -22,8 +22,8 @@ typedef struct ClusterPlace {
 /* Rank of no triangle. */
 #define LA_NO_RANK 0xFFFFFFFFu
 
-/* A texel while triangles draw themselves. Read as one number of 64 bits, the least is what shows.
- */
+/* A texel while triangles draw themselves. Of all candidates the one that is least as a number of
+ * 64 bits shows. */
 typedef struct DepthTexel {
     la_uint rank;  /* of the triangle */
     la_uint order; /* its depth, negated if it is positive: as whole numbers these are in order */

@@ -8,18 +8,19 @@
 /* Floats from row to row: vectors that begin in the tile may end beyond it. */
 #define TILE_STRIDE (DEPTH_TILE + 2 * LANES)
 
-/* What a block of a tile is: untouched, and not even in local memory; drawn to, its farthest depth
- * as said; drawn to since. */
+/* The state of a block of a tile. UNTOUCHED: nothing was drawn to it, and it is not in local
+ * memory. KNOWN: `farthest` is its farthest depth. STALE: something was drawn to it after
+ * `farthest` was computed. */
 #define BLOCK_UNTOUCHED 0
 #define BLOCK_KNOWN 1
 #define BLOCK_STALE 2
 
 typedef struct Tile {
     __local float* texels;
-    __local int* numbers; /* NUMBERED: of the triangle that each texel shows */
+    __local int* numbers; /* NUMBERED: number of the triangle that each texel shows */
     int2 low;             /* its first texel in the whole picture */
     int2 size;            /* texels of the picture that it has */
-    bool begins;          /* what is untouched shows nothing; else what was drawn before */
+    bool begins;          /* untouched blocks show nothing; else what was drawn before */
     bool keeps_depth;     /* `depth` is stored */
     /* The images from the tile's first texel on, and texels of theirs from row to row. */
     __global float* depth;
@@ -91,14 +92,15 @@ INLINED void touch_block(const Tile* tile, const int x, const int y) {
             clear_row(tile, at);
         else
             load_row(tile, at, (size_t)row * (size_t)tile->width + (size_t)(x * LA_TILE), count);
-        /* Texels that the picture has not hide all and never change what is farthest. */
+        /* Texels beyond the picture hide everything, so they never change the farthest depth. */
         for (int i = count; i < LA_TILE; ++i) tile->texels[at + i] = 0.0f;
     }
 }
 
 INLINED float farthest_of_block(const Tile* tile, const int x, const int y) {
     __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
-    /* Two, since each waits for its last; max, since fmax would look for what is no number. */
+    /* Two maxima, since each waits for its last step; max(), since fmax() would also test for
+     * NaN. */
     lanes_float even = 0.0f, odd = 0.0f;
     for (int k = 0; k < LA_TILE; k += 2) {
         for (int i = 0; i < LA_TILE; i += LANES) {
@@ -110,7 +112,7 @@ INLINED float farthest_of_block(const Tile* tile, const int x, const int y) {
     return LARGEST(max(even, odd));
 }
 
-/* Whether a block that is all the picture's, or as good as all, shows nothing. */
+/* True if a block that lies in the picture shows nothing. */
 INLINED bool shows_nothing(const Tile* tile, const int x, const int y) {
     __local const float* row = tile->texels + y * LA_TILE * TILE_STRIDE + x * LA_TILE;
     const lanes_float far = 1.0f;
@@ -139,8 +141,8 @@ INLINED bool differs(Tile* tile, const int x, const int y) {
     return true;
 }
 
-/* Writes what is new. Most of a frame's time is memory's where a model is small: what was blank and
- * stays so is left alone. */
+/* Writes the blocks that have changed. If a model is small, memory takes most of a frame's time, so
+ * blocks that stay blank are not written. */
 INLINED void store_tile(Tile* tile) {
     for (int y = 0; y * LA_TILE < tile->size.y; ++y) {
         bool written[TILE_BLOCKS], any = false;
@@ -161,8 +163,8 @@ INLINED void store_tile(Tile* tile) {
     }
 }
 
-/* Whether anything as near as `nearest` can be seen in a box of texels, corners included. If so the
- * box will be drawn to. */
+/* True if a cluster as near as `nearest` may be seen in a box of texels, corners included. Then the
+ * blocks of the box are prepared for drawing. */
 INLINED bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
     const int left = box.x / LA_TILE, right = box.z / LA_TILE;
     const int below = box.y / LA_TILE, above = box.w / LA_TILE;
@@ -189,7 +191,7 @@ INLINED bool cluster_shows(Tile* tile, const int4 box, const float nearest) {
     return true;
 }
 
-/* The same of a triangle, by what is known already. */
+/* The same for a triangle, by the farthest depths that are known already. Changes nothing. */
 INLINED bool triangle_shows(const Tile* tile, const int4 box, const float nearest) {
     for (int y = box.y / LA_TILE; y <= box.w / LA_TILE; ++y) {
         for (int x = box.x / LA_TILE; x <= box.z / LA_TILE; ++x) {

@@ -5,7 +5,7 @@
 /* Longest side of a triangle that is set up in ints, in units of the grid: a product of two is
  * below 2^30. */
 #define MOST_UNITS 26000
-/* Where a corner that must be clipped is put in x. */
+/* The x of a corner that must be clipped. */
 #define CLIPPED 1e30f
 
 typedef struct View {
@@ -24,7 +24,7 @@ static View make_view(const DepthParameters* args) {
     return view;
 }
 
-/* The vertices of a meshlet on the screen; x is CLIPPED where that says nothing. */
+/* The vertices of a meshlet on the screen. If x is CLIPPED, the place means nothing. */
 typedef struct Places {
     float x[LA_MESHLET_VERTICES + LA_MESHLET_PADDING];
     float y[LA_MESHLET_VERTICES + LA_MESHLET_PADDING];
@@ -61,7 +61,7 @@ typedef struct TriangleLanes {
     float nearest[LANES];
     int x[LANES], y[LANES]; /* where filling begins */
     int columns[LANES], rows[LANES];
-    uint to_fill, large, clipped; /* bit by bit: these, and those that need another way */
+    uint to_fill, large, clipped; /* a bit per triangle: its way to be filled */
 } TriangleLanes;
 
 /* Edge k from (ax, ay) to (bx, by), from the texel at (x, y) on, all in units of the grid. */
@@ -101,7 +101,7 @@ INLINED void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y
     lanes->to_fill = LANE_BITS(touches & !large & (doubled != none));
     if (lanes->to_fill == 0) return;
 
-    /* Both sides of a face count: what turns the other way is turned round. */
+    /* Both sides of a face count: triangles that turn the other way are reversed. */
     const lanes_mask turned = doubled < none;
     const lanes_int px = SELECT(x1, x2, turned), py = SELECT(y1, y2, turned);
     const lanes_int qx = SELECT(x2, x1, turned), qy = SELECT(y2, y1, turned);
@@ -114,8 +114,8 @@ INLINED void set_up(const Tile* tile, const lanes_float* x, const lanes_float* y
     set_edge(lanes, 1, px, py, qx, qy, grid_x, grid_y);
     set_edge(lanes, 2, qx, qy, x0, y0, grid_x, grid_y);
 
-    /* The plane goes through the corners where they are, not where the grid has them: else flat
-     * faces would get steps. A sliver that hardly has an area there takes the grid's. */
+    /* The plane goes through the exact corners, not through those on the grid: otherwise flat faces
+     * would get steps. A sliver, whose exact area is hardly above 0, takes the area on the grid. */
     lanes_float ax = x[0], ay = y[0];
     lanes_float bx = SELECT(x[1], x[2], turned), by = SELECT(y[1], y[2], turned);
     lanes_float cx = SELECT(x[2], x[1], turned), cy = SELECT(y[2], y[1], turned);
@@ -169,7 +169,7 @@ INLINED void fill(Tile* tile, const int number, const TriangleLanes* lanes, cons
         fill_wide(tile, at, number, columns, rows, &edges, plane);
 }
 
-/* Where a corner of clip space that is in front of the eye lies. */
+/* The place on the screen of a corner in clip space that is in front of the eye. */
 static float3 on_screen(const View* view, const float4 corner) {
     const float3 n = xyz(corner) / corner.w;
     return float3(n.x * view->half_size.x + view->shift.x, n.y * view->half_size.y + view->shift.y,

@@ -131,8 +131,8 @@ static SmoothFace smooth_face(const FillPixelsParameters* args, __global const u
     return face;
 }
 
-/* How bright such a triangle is at a texel, or between texels. What of it each corner is, is found
- * with that place in the middle: little is lost where triangles are small. */
+/* How bright a smooth triangle is at a texel, or between texels. The shares of its corners are
+ * computed relative to that place, so that little is lost if triangles are small. */
 static float smooth_shade(const FillPixelsParameters* args, const SmoothFace* face,
                           const float column, const float line) {
     const float x = args->first.v[0] + column * args->step.v[0];
@@ -190,7 +190,8 @@ KERNEL(fill_pixels, FillPixelsParameters) {
     bool is_smooth = false;
     SmoothFace face;
     Color color = 0, lit = 0;
-    /* Light without steps changes so little within a pixel that its middle says it. */
+    /* Light without steps changes so little within a pixel that its value in the middle is
+     * enough. */
     const bool by_pixels = args.steps == 0.0f;
     const float to_middle = 0.5f * (float)(scale - 1);
     for (int x = from; x < to; ++x) {

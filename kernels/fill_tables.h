@@ -12,7 +12,7 @@ typedef struct FillColorsParameters {
     la_uint has_smooth; /* 0: no triangle is smooth, and the table is not read */
     la_vec4 plain;      /* of triangles that have none, 0 to 1; the last number is not read */
     la_vec4 eye; /* homogeneous: w is 1 for a point, 0 for the direction to a parallel viewer */
-    la_mat4 eye_from_normal; /* directions that stand on faces, to eye space */
+    la_mat4 eye_from_normal; /* normals of faces to eye space */
     la_vec4 light;           /* direction to the lamp, in eye space, of length 1 */
     float ambient;           /* light that is everywhere, 0 to 1 */
     float steps;             /* number of shades; 0: smooth */

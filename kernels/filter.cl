@@ -3,9 +3,9 @@
  * A change never goes from one path to another.
  *
  * It works on intervals of arc length, not on samples: the visible share of the sample at an end
- * says where the end lies, so lengths are exact. One work-item per run; the one of a path's first
- * run does the whole path. Three steps: count the resulting runs (and scan the counts), write them,
- * set the visibility of their samples. */
+ * says where the end lies, so lengths are exact. One work-item per run; the work-item of a path's
+ * first run does the whole path. Three steps: count the resulting runs (and scan the counts), write
+ * them, set the visibility of their samples. */
 
 #include "kernels.h"
 #include "shared/run.h"

@@ -1,6 +1,6 @@
-/* pyramid: the farthest depth in every tile of the depth buffer. A segment that lies behind it in
- * all of its tiles is hidden, so `project_clip` can drop the segment before it gets samples (Greene
- * et al. 1993).
+/* pyramid: the farthest depth in every tile of the depth buffer. A segment that lies behind that
+ * depth in all tiles that it touches is hidden, so `project_clip` can drop the segment before it
+ * gets samples (Greene et al. 1993).
  *
  * One work-item per tile of LA_TILE by LA_TILE texels. */
 

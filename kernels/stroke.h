@@ -5,22 +5,22 @@
 
 #define FAR_AWAY 1e9f
 
-/* Compiled for each set of constants that it is called with: compilers don't see that it pays. */
+/* A run as coverage_at() needs it. */
 typedef struct Stroke {
     float2 start, end; /* window positions */
     float2 along;      /* direction */
     float length;
-    float2 start_side; /* to the left along the line that ends it, ... */
-    float2 end_side;
-    float before, after; /* ... which is so far beyond the end, pixels */
+    float2 start_side;   /* direction of the line at which it starts, to the left */
+    float2 end_side;     /* of the line at which it ends */
+    float before, after; /* pixels that it covers beyond these two lines */
     float round_from;    /* round beyond these, pixels along it */
     float round_to;
     float cut_from, cut_to; /* cut square there */
-    float first_sample;     /* position in samples at the start, */
-    float sample_step;      /* per pixel */
-    float last_sample;      /* of the segment */
-    float first_turn;       /* repeats of the mark at the start, */
-    float turn_step;        /* per pixel */
+    float first_sample;     /* position in samples at the start */
+    float sample_step;      /* samples per pixel */
+    float last_sample;      /* number of the segment's last sample */
+    float first_turn;       /* repeats of the mark before the start */
+    float turn_step;        /* repeats per pixel */
     float reach;            /* half the width, and the fringe */
     float most;             /* coverage in its middle: a thin line never covers a pixel */
     float opacity;
@@ -28,9 +28,9 @@ typedef struct Stroke {
     bool is_even;            /* its visibility is 1 all along */
     bool is_solid;           /* the atlas has no samples of it */
     bool is_marked;          /* its mark is not solid */
-    bool is_thinned;         /* `density` leaves some of it out, differently along it */
-    uint bin;                /* its priority there, */
-    float next_bin;          /* with this share of the next one */
+    bool is_thinned;         /* `density` leaves out shares of it that change along it */
+    uint bin;                /* its bin of priority in `density` */
+    float next_bin;          /* the share of it that counts in the next bin */
 } Stroke;
 
 static uint end_kind(const uint flags, const uint shift) {
@@ -61,7 +61,7 @@ static bool is_even_along(__global const Run* run, __global const uchar* alpha, 
     return true;
 }
 
-/* Weights of cells: where one is, whatever its column and row. */
+/* The weight of a cell. Beyond the grid, that of the nearest cell. */
 static float cell_weight(const StrokesParameters* args, __global const float* weights,
                          const uint bin, const int x, const int y) {
     const int2 cells = to_int2(args->cells);
@@ -69,8 +69,8 @@ static float cell_weight(const StrokesParameters* args, __global const float* we
     return weights[row * cells.x + clamp(x, 0, cells.x - 1)];
 }
 
-/* The smallest and the largest weight of a bin that a run's pixels look at; where it passes many
- * cells, what they may be at most. */
+/* The smallest and the largest weight of a bin that a run's pixels read. If the run passes many
+ * cells, the range that weights may have. */
 static float2 weights_along(const StrokesParameters* args, __global const Run* run,
                             __global const float* weights, const uint bin) {
     const float2 a = vload2(0, run->start) * args->per_cell - 0.5f;
@@ -110,7 +110,7 @@ static void thin_out(const StrokesParameters* args, __global const Run* run,
     if (!s->is_thinned) s->opacity *= range.x;
 }
 
-/* All of a stroke but what its samples and `density` say. */
+/* Sets all of a stroke except what depends on its samples and on `density`. */
 INLINED void shape_stroke(const StrokesParameters* args, __global const Run* run, Stroke* s) {
     s->start = vload2(0, run->start);
     s->end = vload2(0, run->end);
@@ -158,7 +158,7 @@ INLINED void make_stroke(const StrokesParameters* args, __global const Run* run,
     thin_out(args, run, weights, s);
 }
 
-/* The same of a run of which `box` tells what takes long to find. */
+/* The same of a run whose `box` holds what takes long to find. */
 INLINED void make_known_stroke(const StrokesParameters* args, __global const Run* run,
                                const StrokeBox box, Stroke* s) {
     shape_stroke(args, run, s);
@@ -168,7 +168,7 @@ INLINED void make_known_stroke(const StrokesParameters* args, __global const Run
     find_bin(run, s);
 }
 
-/* The run's visibility at so many pixels along it: linear between the middles of samples. */
+/* The run's visibility at places along it, in pixels: linear between the middles of samples. */
 static lanes_float visibility_at(const StrokesParameters* args, const Stroke* s,
                                  __global const uchar* own, const lanes_float along) {
     const lanes_float position = s->first_sample + along * s->sample_step;
@@ -183,22 +183,24 @@ static lanes_float visibility_at(const StrokesParameters* args, const Stroke* s,
     return args->hidden != 0 ? 1.0f - visible : visible;
 }
 
-/* The mark at so many repeats from the middle of the path. */
+/* The mark at places along the path, in repeats from its middle. */
 static lanes_float mark_at(const StrokesParameters* args, __global const float* mark,
                            const lanes_float turns) {
     const lanes_float none = 0.0f, one = 1.0f;
-    /* Very short strokes have more turns than an int holds, where nothing of them is drawn. */
+    /* A very short stroke may have more repeats than an int holds, at places where it is not
+     * drawn. */
     const lanes_float in_turn = fmin(fmax(turns - TO_FLOAT(FLOOR_TO_INT(turns)), none), one);
     const lanes_float x = in_turn * (float)args->mark_length - 0.5f;
     const lanes_int before = FLOOR_TO_INT(x);
     const lanes_float share = x - TO_FLOAT(before);
-    /* A value follows the last that is the first, and one that is the last goes before it. */
+    /* The table has the last value before the first one, and the first value behind the last
+     * one. */
     const lanes_int first = before + 1, second = before + 2;
     const lanes_float a = GATHER_LANES(mark, first), b = GATHER_LANES(mark, second);
     return a + (b - a) * share;
 }
 
-/* What is drawn of lines of a priority around a place in the window, in cells. */
+/* The share of lines of a priority that is drawn at places of the window, in cells. */
 static lanes_float bin_weight(const StrokesParameters* args, __global const float* weights,
                               const uint bin, const lanes_float x, const lanes_float y) {
     const int2 cells = to_int2(args->cells);
@@ -215,7 +217,7 @@ static lanes_float bin_weight(const StrokesParameters* args, __global const floa
     return below + (above - below) * up;
 }
 
-/* How much of the line is drawn at so many pixels along it. */
+/* The share of the line that is drawn at places along it, in pixels. */
 static lanes_float density_at(const StrokesParameters* args, const Stroke* s,
                               __global const float* weights, const lanes_float along) {
     const lanes_float x = (along * s->along.x + s->start.x) * args->per_cell - 0.5f;
@@ -225,16 +227,17 @@ static lanes_float density_at(const StrokesParameters* args, const Stroke* s,
     return weight + (bin_weight(args, weights, s->bin + 1u, x, y) - weight) * s->next_bin;
 }
 
-/* How much of pixels in a row the stroke covers, 0 to 1. x, y: their middles; each of `rounds`,
- * `rest` false: the caller knows that the stroke has no round ends, and is even, not cut, not
- * marked and not thinned. */
+/* How much of each of LANES pixels in a row the stroke covers, 0 to 1. x, y: the middles of the
+ * pixels. rounds false: the stroke has no round ends. rest false: it is even, not cut, not marked
+ * and not thinned. */
 INLINED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s, const lanes_float x,
                                 const float y, const bool rounds, const bool rest,
                                 __global const uchar* own, __global const float* mark,
                                 __global const float* weights) {
     const lanes_float dx = x - s->start.x, ex = x - s->end.x;
     const float dy = y - s->start.y, ey = y - s->end.y;
-    /* Of two runs that meet on a line each pixel belongs to one: both compute its side alike. */
+    /* If two runs meet on a line, each pixel belongs to one of them: both compute its side
+     * alike. */
     const lanes_mask inside = (s->start_side.x * dy - dx * s->start_side.y <= s->before) &
                               (s->end_side.x * ey - ex * s->end_side.y > -s->after);
     const lanes_float across = s->along.x * dy - dx * s->along.y;
@@ -263,8 +266,8 @@ INLINED lanes_float coverage_at(const StrokesParameters* args, const Stroke* s, 
     return SELECT(none, covered, inside);
 }
 
-/* A mark over what is there, both of 255, in whole numbers as pictures have them: so a stroke over
- * others is the same in whatever pieces they were drawn. */
+/* Coverage over what is there, both of 255, rounded to whole numbers as in pictures. So a stroke
+ * over others is the same in whatever pieces they were drawn. */
 static lanes_float over(const lanes_float below, const lanes_float covered) {
     const float to_whole = 8388608.0f;
     return (below + covered * (255.0f - below) + to_whole) - to_whole;

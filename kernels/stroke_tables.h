@@ -34,7 +34,7 @@ typedef struct StrokesParameters {
     la_ivec2 columns;    /* tiles of that part, across and up */
     la_ivec4 part;       /* its first pixel and its size */
     la_uint begin, end;  /* what of every tile's list is drawn */
-    la_uint again;       /* 1: over what `coverage` holds; else it is cleared */
+    la_uint again;       /* 1: strokes are drawn over what `coverage` holds; else it is cleared */
     la_uint layer;       /* which of `coverage` is drawn, */
     la_uint pitch;       /* of so many bytes each */
     float half_width, opacity;
@@ -50,7 +50,7 @@ typedef struct StrokesParameters {
     in(Run, runs) in(uint, ends) in(uint, entries) in(uchar, alpha) in(float, mark) \
     in(float, weights) \
     inout(uchar, coverage) inout(uint, shown)
-/* What of a run's stroke is found once, not by each pixel. */
+/* The numbers of a run's stroke that are found once, not by each pixel. */
 typedef struct StrokeBox {
     float low[2], high[2]; /* it covers no pixels but those above `low` and up to `high` */
     la_uint flags;         /* LA_STROKE_*; 0: it is another pen's */
@@ -58,7 +58,7 @@ typedef struct StrokeBox {
 } StrokeBox;
 #define LA_STROKE_DRAWN 1u   /* by the pen that is drawn */
 #define LA_STROKE_EVEN 2u    /* its visibility is 1 all along */
-#define LA_STROKE_THINNED 4u /* `density` leaves some of it out, differently along it */
+#define LA_STROKE_THINNED 4u /* `density` leaves out shares of it that change along it */
 #define strokes_boxes_tables(in, out, inout, unordered) \
     in(Run, runs) in(uchar, alpha) in(float, weights) out(StrokeBox, boxes)
 #define strokes_pixels_tables(in, out, inout, unordered) \

@@ -5,8 +5,9 @@
  * The result is a byte of coverage per pixel and pen; all strokes of a pen have one colour.
  *
  * strokes_count, strokes_list: one work-item per chunk. strokes_tiles: one work-item per tile,
- * which is in local memory. Or strokes_boxes, one work-item per run, and strokes_pixels, one per
- * DEPTH_LANES pixels (Tuning::stroke_pixels): those of a GPU. */
+ * which it keeps in local memory. On a GPU (Tuning::stroke_pixels) two kernels replace
+ * strokes_tiles: strokes_boxes, one work-item per run, and strokes_pixels, one per DEPTH_LANES
+ * pixels. */
 
 #define LANES DEPTH_LANES
 #include "stroke.h"
@@ -27,7 +28,8 @@ static float2 reach_of(__global const float* corner, const uint kind, const floa
                   fmax(fabs(corner[1]) * reach, reach) + SLACK);
 }
 
-/* Enters a run into its tiles: counts, or writes where `ends` says, which it moves on. */
+/* Enters a run into its tiles: counts it, or writes it at the place in `ends`, which the function
+ * moves on. */
 static void enter(const StrokeListParameters* args, __global const Run* run, const uint r,
                   const uint chunk, __global uint* ends, __global uint* entries) {
     const float2 a = vload2(0, run->start), b = vload2(0, run->end);
@@ -75,8 +77,8 @@ KERNEL(strokes_count, StrokeListParameters) {
 }
 
 /* ends: the scanned counts, and behind them the number of all entries. Afterwards each says where
- * its part of the list ends. If there are more than fit, nothing is written, and nothing drawn; the
- * host sees how many, enlarges the table and does the frame again. */
+ * its part of the list ends. If there are more entries than fit, nothing is written or drawn. The
+ * host reads their number, enlarges the table and does the frame again. */
 KERNEL(strokes_list, StrokeListParameters) {
     const uint chunk = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
@@ -125,7 +127,7 @@ INLINED void draw_rows(const StrokesParameters* args, const Stroke* s, __local f
                        const int2 corner, const int4 box, const bool rounds, const bool rest,
                        __global const uchar* own, __global const float* mark,
                        __global const float* weights) {
-    /* What a row has of the strip around the spine, where that is steep enough to tell. */
+    /* If the spine is steep enough, only the part of a row in the strip around it is looked at. */
     const bool is_steep = fabs(s->along.y) > 0.0625f && box.z - box.x >= LANES;
     const float slope = is_steep ? s->along.x / s->along.y : 0.0f;
     const float aside = is_steep ? s->reach / fabs(s->along.y) + 1.0f : 0.0f;
@@ -165,8 +167,8 @@ INLINED void draw_stroke(const StrokesParameters* args, __global const Run* run,
         draw_rows(args, &s, pixels, corner, box, false, false, own, mark, weights);
 }
 
-/* coverage: of each layer a byte per pixel of the part, row by row. shown: of each layer 1 for
- * every tile of the part that may have some, else 0. */
+/* coverage: for each layer a byte per pixel of the part, row by row. shown: for each layer 1 for
+ * every tile of the part that may be covered, else 0. */
 KERNEL(strokes_tiles, StrokesParameters) {
     LOCAL_TABLE(float, pixels, STROKE_STRIDE* LA_STROKE_TILE);
     const int2 columns = to_int2(args.columns), tiles = to_int2(args.tiles);
@@ -204,7 +206,7 @@ KERNEL(strokes_tiles, StrokesParameters) {
     shown[args.layer * (uint)(columns.x * columns.y) + t] = any ? 1 : 0;
 }
 
-/* What the pixels of a run's stroke need to know of it. One work-item per run. */
+/* Finds the numbers of each run's stroke that its pixels share. One work-item per run. */
 KERNEL(strokes_boxes, StrokesParameters) {
     const uint r = (uint)get_global_id(0);
     if (r >= args.count) return;

@@ -135,7 +135,7 @@ static float inside_but(const TileFace* face, const uint corner, const float siz
     return inside;
 }
 
-/* A nearness. Anything farther than this is farther than all of the face in a tile. */
+/* A nearness that every point of a face in a tile reaches. */
 static float surely_hides(const TileFace* face, const float size) {
     const float farthest = least_in(face->nearness, size);
     return farthest - 2.0f * face->doubt - farthest * NEARNESS_DOUBT;

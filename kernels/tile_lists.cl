@@ -3,12 +3,12 @@
  * that lists are equal on every device.
  *
  * tile_lists_count, tile_lists_fill: one work-item per chunk of triangles. Between them the counts
- * of each tile and chunk are scanned. Or one work-item per slice of each triangle, which is a
- * number of rows of its tiles; then counts are those of tiles, and the entries of a tile are in any
- * order.
+ * of each tile and chunk are scanned. With Tuning::face_lists there is one work-item per slice of a
+ * triangle instead, which is some rows of the triangle's tiles. Then there is one count for each
+ * tile, and the entries of a tile are in any order.
  *
- * Then tile_lists_arrange has one work-item per tile. With slices other kernels do the same: one
- * work-item per entry (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort,
+ * Then tile_lists_arrange has one work-item per tile. With Tuning::face_lists other kernels do the
+ * same: one work-item per entry (tile_lists_keys, a scan, tile_lists_place, tile_lists_sort,
  * tile_lists_write), per group (tile_lists_boxes) and per tile (tile_lists_behind). */
 
 #include "shared/exact.h"
@@ -28,8 +28,8 @@ static float from_ordered(const uint x) {
     return as_float((x & 0x80000000u) != 0 ? x & 0x7FFFFFFFu : ~x);
 }
 
-/* Enters face t into its tiles, or those of a slice: counts, or writes where `ends` says, which it
- * moves on, and how near and how far entries are. */
+/* Enters face t into its tiles, or into those of a slice. Counts entries, or writes them at the
+ * places in `ends`, which the function moves on, and notes how near and how far they are. */
 INLINED void enter(const ExactParameters* args, const uint t, const uint chunk,
                    const ScreenFace box, __global const float* vertices,
                    __global const uint* triangles, __global const float* screen,

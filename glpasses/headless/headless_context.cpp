@@ -196,7 +196,7 @@ void HeadlessContext::make_current() {
     if (eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) !=
         EGL_TRUE) {
         throw DeviceError(
-            "EGL can't make a context current on this thread; where one of GLX is, as "
+            "EGL can't make a context current on this thread; if the thread has one of GLX, as "
             "with a window of X, call from another thread");
     }
 }

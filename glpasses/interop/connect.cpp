@@ -26,7 +26,7 @@ struct Attempt {
 };
 
 constexpr const char* collision =
-    "it crashes beside llvmpipe, since each brings an LLVM of its own";
+    "it crashes beside llvmpipe, since both bring an LLVM of their own";
 
 /// Whether the device and the driver of the current context cannot both run in one process.
 bool collides(const compute::OpenClDevice& device) {
@@ -40,8 +40,7 @@ void refuse_collision(const compute::OpenClDevice& device) {
                       "need no GL");
 }
 
-/// What speaks against a mode, as far as can be told without building anything. Empty: worth
-/// trying.
+/// The reason against a mode, found without building anything. Empty: the mode is worth trying.
 std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
     if (collides(device)) return collision;
     if (mode == SharingMode::gl_sharing) return gl_sharing_obstacle(device);
@@ -58,7 +57,7 @@ std::string_view success(SharingMode mode) {
     case SharingMode::gl_sharing:
         return "the context was accepted and a round trip succeeded";
     case SharingMode::external_memory:
-        return "both import memory of a Vulkan device; a round trip succeeded";
+        return "GL and OpenCL import memory of a Vulkan device; a round trip succeeded";
     case SharingMode::host_pointer:
         return "device and GL share memory; a round trip succeeded";
     case SharingMode::copy:

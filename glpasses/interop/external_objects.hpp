@@ -42,7 +42,7 @@ class ExternalObjects final : public OpenedObjects {
     Handover acquire_, release_;
 };
 
-/// What speaks against external memory, found without asking Vulkan; empty: nothing.
+/// The reason against external memory, found without asking Vulkan; empty if there is none.
 std::string external_memory_obstacle(const compute::OpenClDevice& device);
 
 } // namespace lineatlas::interop

@@ -424,8 +424,8 @@ Command setup_draw(CLI::App& app) {
     const std::string camera = "Camera (by default it frames the whole model)";
     app.add_option(
            "--size", a.size,
-           "Picture size in pixels; unless it is given, paths to scale have a multiple of it on "
-           "paper larger than A4")
+           "Picture size in pixels; unless it is given, paths to scale on paper larger than A4 "
+           "have a multiple of the default")
         ->capture_default_str()
         ->group(camera);
     a.view.declare(app, camera);

@@ -29,7 +29,7 @@ void print_lines(const LineSet& lines) {
     if (!kinds.empty()) print_output(fmt::format("segments by kind: {}\n", fmt::join(kinds, ", ")));
     const LeftOut& left_out = lines.left_out;
     print_output(fmt::format(
-        "left out: {} creases that are noise; {} seams, and parts of {} more; {} cracks\n",
+        "left out: {} creases that are noise, {} seams, parts of {} more; closed: {} cracks\n",
         left_out.noisy_creases, left_out.seams, left_out.cut_seams, left_out.cracks));
     print_output(fmt::format(
         "extraction: creases {:.1f} ms, seams {:.1f} ms, intersections {:.1f} ms, "

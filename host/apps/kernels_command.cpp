@@ -165,7 +165,7 @@ Command setup_kernels(CLI::App& app) {
     app.add_option("--device", a.device,
                    "opencl:<platform>[:<device>], whose compiler it is; else the kernel as C++")
         ->needs(assembly);
-    app.footer("Without a name it lists the kernels there are. What it prints of one is OpenCL C "
+    app.footer("Without a name it lists all kernels. The source of a kernel is OpenCL C "
                "1.2.\nLINEATLAS_KERNEL_DIR names a folder of kernels in place of the built-in ones."
                "\nExamples:\n"
                "  lineatlas kernels\n"

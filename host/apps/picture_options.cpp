@@ -11,7 +11,7 @@ namespace lineatlas::apps {
 void PictureOptions::declare(CLI::App& app) {
     const std::string group = "Picture file";
     app.add_option("--bits", bits_,
-                   "Bits per channel: PNG and TIFF 8 or 16, EXR 16 or 32; default the first")
+                   "Bits per channel: PNG and TIFF 8 (default) or 16, EXR 16 (default) or 32")
         ->group(group);
     app.add_option("--dpi", dpi_, "Pixels per inch on paper, noted in the file")->group(group);
     app.add_flag("--transparent", transparent_, "Leave the paper out: PNG, TIFF and EXR")

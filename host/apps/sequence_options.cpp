@@ -44,7 +44,8 @@ void SequenceOptions::declare(CLI::App& app) {
 bool SequenceOptions::given(const std::string& output) const {
     const bool turntable = app_->count("--turntable") > 0;
     const bool path = app_->count("--camera-path") > 0;
-    if (turntable && path) throw UsageError("give either --turntable or --camera-path");
+    if (turntable && path)
+        throw UsageError("--turntable and --camera-path exclude each other; leave out one of them");
     if (!turntable && !path) {
         for (const char* option : {"--frames", "--resume"}) {
             if (app_->count(option) == 0) continue;

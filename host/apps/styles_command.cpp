@@ -55,7 +55,7 @@ Command setup_styles(CLI::App& app) {
     app.add_flag("--keys", a.keys, "Print every setting: what it does, its default and its range");
     app.add_option("--write-pens", a.pen_folder,
                    "Write the built-in pens as PNG files into this folder");
-    app.footer("Without arguments it lists the styles there are.\n"
+    app.footer("Without arguments it lists all styles.\n"
                "Examples:\n"
                "  lineatlas styles pencil > mine.toml\n"
                "  lineatlas draw model.obj -o picture.png --style ./mine.toml --width 3");

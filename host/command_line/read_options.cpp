@@ -19,11 +19,12 @@ void ReadOptions::declare(CLI::App& app) {
     app_ = &app;
     const std::string group = "Reading files (in a process of its own)";
     app.add_option(memory_option, gibibytes_,
-                   "Memory that reading a file may take, in GiB; by default 2 and 32 times the "
-                   "size of a model, 0.5 for a picture")
+                   "Memory that reading a file may take, in GiB; by default 2 plus 32 times the "
+                   "size of a model's file, 0.5 for a picture")
         ->group(group);
     app.add_option(seconds_option, seconds_,
-                   "Time that reading a file may take; by default 60 and one per MB")
+                   "Seconds that reading a file may take; by default 60, plus one for each MB of a "
+                   "model")
         ->group(group);
 }
 

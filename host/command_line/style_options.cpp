@@ -11,7 +11,7 @@ void StyleOptions::declare(CLI::App& app) {
     const std::string group = "Style";
     app.add_option("--style", name_,
                    "Name of a style, see `lineatlas styles`, or a TOML file; default plain, "
-                   "of --views technical")
+                   "with --views technical")
         ->group(group);
     app.add_option("--set", changes_, "key=value: change a setting of the style; may be repeated")
         ->allow_extra_args(false)

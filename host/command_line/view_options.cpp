@@ -67,9 +67,9 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
     app.add_option("--views", views_,
                    "A sheet of several sides, as in front,top,right,isometric: aligned, to scale, "
                    "with a frame and a title block. section:x=12 is a section A-A by a plane, as "
-                   "--section takes it. FILE.toml: a file with views placed by hand. auto: these "
-                   "four with overall sizes, axes and "
-                   "a scale bar, and a summary of the model as JSON on stdout")
+                   "--section takes it. FILE.toml: a file with views placed by hand. auto: "
+                   "front,top,right,isometric with overall sizes, axes and a scale bar, and a "
+                   "summary of the model as JSON on stdout")
         ->group(group);
     app.add_option("--projection", projection_,
                    "perspective or orthographic; default orthographic with --scale or a named "
@@ -82,7 +82,8 @@ void ViewOptions::declare(CLI::App& app, const std::string& group) {
         ->group(group);
     app.add_option(
            "--unit", unit_,
-           "Unit of the model for --scale: mm, cm, m, in or ft; a file that says its own has that")
+           "Unit of the model for --scale: mm, cm, m, in or ft; by default that of the file, if it "
+           "names one")
         ->capture_default_str()
         ->group(group);
 }

@@ -35,7 +35,7 @@ using la_mat4 = glm::mat4;
 /// which list_of() finds among the members of groups.
 namespace kernels {
 
-/// What a group has by a name: a table, or null for a table that the launch does without.
+/// The table that a group has by a name, or null if the launch does without that table.
 inline Buffer* address_of(Buffer& table) {
     return &table;
 }

@@ -21,7 +21,7 @@ struct TriangleClusters {
 };
 
 /// Halves the triangles at medians of their centres into clusters of up to `cluster_size`, object
-/// by object. Without objects all triangles are of one.
+/// by object. Without objects all triangles count as one object.
 TriangleClusters build_clusters(std::span<const glm::vec3> vertices,
                                 std::span<const glm::uvec3> triangles, std::uint32_t cluster_size,
                                 std::span<const LineObject> objects = {});

@@ -17,7 +17,7 @@ struct FarPart {
     float ratio = 1;       ///< of the extent of all to that of the others
 };
 
-/// Nothing where the model has none that is small and far enough to matter.
+/// The far part of a model. Nothing if no part is small enough and far enough away to matter.
 std::optional<FarPart> find_far_part(const LineSet& lines);
 
 /// What a camera that frames a model should show: its vertices, but for a far part that is at most

@@ -43,13 +43,13 @@ inline constexpr Purpose all_items{"an item buffer",
 inline constexpr Purpose samples{"Renderer::read_samples()",
                                  "use Renderer::read_intervals(), another DeviceOptions::device "
                                  "or DeviceOptions::compute cpp"};
-inline constexpr Purpose motion{"what moves the model's objects",
+inline constexpr Purpose motion{"the tables that move the model's objects",
                                 "use another DeviceOptions::device, DeviceOptions::compute "
                                 "cpp or a smaller model"};
 inline constexpr Purpose atlas{"the segment atlas",
                                "use a larger FrameOptions::step, a smaller Camera::size or fewer "
                                "FrameOptions::lines"};
-inline constexpr Purpose exact{"what the exact method knows of faces",
+inline constexpr Purpose exact{"the method exact",
                                "use FrameOptions::method atlas, a smaller Camera::size or another "
                                "DeviceOptions::device"};
 inline constexpr Purpose strokes{"the table of strokes",

@@ -8,8 +8,8 @@ namespace lineatlas {
 /// many pixels. The lengths are then right for that picture, and Style::made_for is 0.
 void multiply_lengths(Style& style, float factor);
 
-/// A style for a mesh about an origin of its own (LoadedMesh::origin). A focus in the scene is
-/// given in the file's coordinates.
+/// A style for a mesh about an origin of its own (LoadedMesh::origin). A focus at a point of the
+/// model is given in the file's coordinates.
 Style about_origin(Style style, glm::dvec3 origin);
 
 } // namespace lineatlas

@@ -8,7 +8,7 @@
 
 namespace lineatlas {
 
-/// What a face has that belongs to no area.
+/// The kind of a face that belongs to no area.
 inline constexpr std::uint32_t no_area = 0xFFFFFFFF;
 
 /// An area: faces of one kind.
@@ -17,9 +17,9 @@ struct Area {
     std::vector<std::vector<GridPlace>> rings; ///< with the area to the left, from x towards y
 };
 
-/// Joins the faces of a map that are of one kind, or no_area. Places where borders are straight to
-/// within `tolerance` units of the grid are left out, the same ones on both sides of a border. In
-/// ascending order of kinds.
+/// Joins the faces of a map that are of one kind. Faces with no_area are left out. Places where
+/// borders are straight to within `tolerance` units of the grid are left out, the same ones on both
+/// sides of a border. In ascending order of kinds.
 std::vector<Area> join_faces(const PlanarMap& map, std::span<const std::uint32_t> kinds,
                              double tolerance);
 

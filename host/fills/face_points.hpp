@@ -16,9 +16,9 @@ struct FacePoint {
     double room;   ///< length of the part that it stands for of a horizontal line
 };
 
-/// Points of each face of a map but the one around all others, on five horizontal lines and beside
-/// its borders, in the order of the faces. Where `closely` says so of a face, the lines are a few
-/// pixels apart. `pixel`: in units of the grid.
+/// Points of each face of a map, except of the face around all others: on five horizontal lines and
+/// beside the face's borders, in the order of the faces. If `closely` says so of a face, the lines
+/// are a few pixels apart. `pixel`: in units of the grid.
 std::vector<FacePoint> face_points(const PlanarMap& map, double pixel,
                                    const std::vector<bool>& closely);
 

@@ -28,17 +28,18 @@ namespace {
 
 constexpr float finest = 0.01F; ///< VisibilityOptions::step
 
-/// Pixels by which borders go on where something else hides them, so that they surely reach it.
-/// What is too long divides areas that are joined again.
+/// Pixels by which borders continue where something else hides them, so that they surely reach it.
+/// If a border is too long, it divides an area whose halves are joined again.
 constexpr double overhang = 0.25;
 
 /// Pixels by which areas may be off what is seen.
 constexpr double tolerance = 0.002;
 
-/// How often missing borders are looked for; what is added shows others to be missing.
+/// The most rounds in which missing borders are looked for. Added borders may show that others are
+/// missing.
 constexpr int most_rounds = 3;
 
-/// What lies in the picture of the line from a to b, which may not meet it.
+/// The part of the line from a to b that lies in the picture; empty if there is none.
 std::vector<std::pair<glm::dvec2, glm::dvec2>> in_picture(glm::dvec2 a, glm::dvec2 b,
                                                           glm::dvec2 size) {
     double from = 0, to = 1;

@@ -72,7 +72,7 @@ void PlanarMap::order_around_places() {
         std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
             return turns_before(end(a) - start(a), end(b) - start(b));
         });
-        // What comes in along one goes out along the one before it.
+        // A way around a face that comes in along one half-edge goes out along the one before it.
         for (auto out = first; out != last; ++out)
             next_[*out ^ 1U] = out == first ? *(last - 1) : *(out - 1);
     }

@@ -23,7 +23,7 @@ constexpr int tile = 32; ///< pixels
 struct Tiles {
     explicit Tiles(glm::ivec2 size) : count((size + (tile - 1)) / tile) {}
 
-    /// Of the tile at a place, or the one nearest to it.
+    /// The column and row of the tile at a place, or of the nearest tile.
     glm::ivec2 at(glm::dvec2 pixels) const {
         const glm::dvec2 place = glm::floor(pixels / static_cast<double>(tile));
         return glm::ivec2{glm::clamp(place, glm::dvec2{0}, glm::dvec2{count - 1})};

@@ -127,8 +127,8 @@ SnappedEdges snap_lines(const std::vector<GridLine>& lines, glm::ivec2 size,
 }
 
 void drop_free_ends(SnappedEdges& edges) {
-    // Of the edges at each place their number and the exclusive or of their indices: of a free
-    // end that is the index of its edge.
+    // Per place the number of edges there, and the exclusive or of their indices. At a free end the
+    // latter is the index of its edge.
     std::vector<std::uint32_t> count(edges.places.size(), 0), only(edges.places.size(), 0);
     for (std::uint32_t i = 0; i < edges.edges.size(); ++i) {
         for (const std::uint32_t end : {edges.edges[i].a, edges.edges[i].b}) {

@@ -48,7 +48,7 @@ struct SnappedEdges {
 SnappedEdges snap_lines(const std::vector<GridLine>& lines, glm::ivec2 size,
                         const GridScale& scale);
 
-/// Leaves out edges that end freely, and those that then do.
+/// Leaves out edges with a free end, until no edge has one.
 void drop_free_ends(SnappedEdges& edges);
 
 } // namespace lineatlas

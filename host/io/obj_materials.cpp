@@ -10,7 +10,7 @@
 namespace lineatlas {
 namespace {
 
-/// Of three numbers; one that is missing, or none, is 0.
+/// A colour of three numbers. A number that is missing, or is no number, is 0.
 glm::vec3 color_of(std::string_view words) {
     glm::vec3 color{0};
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// What source_file.hpp asks of the system.
+// The functions of source_file.hpp that call the system.
 #include <cerrno>
 #include <filesystem>
 #include <fstream>

@@ -55,7 +55,7 @@ constexpr std::array mesh_signatures{
 
 std::string quoted(const std::string& path) {
     constexpr std::size_t longest = 400;
-    // Of a long one the end tells more: there is the file's name.
+    // Of a long path the end is kept, because it has the file's name.
     const std::string text =
         path.size() <= longest ? path : "..." + path.substr(path.size() - longest);
     return '"' + printable(text, text.size()) + '"';

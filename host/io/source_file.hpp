@@ -38,7 +38,8 @@ FileError read_error(const std::string& path, std::string_view cause);
 
 /// `cannot write "path": cause`
 FileError write_error(const std::string& path, std::string_view cause);
-/// What a failed write() says; of a limit of files' sizes that limit and the way out.
+/// The message of a failed write(). If a limit of file sizes was the cause, it names the limit and
+/// the way out.
 std::string write_cause(int error);
 
 /// "1 face", "12 faces"

@@ -41,7 +41,7 @@ class BoxTree::Builder {
         build(0, 0, count);
     }
 
-    /// Of the boxes in leaves.
+    /// The number of the box at a place among those in leaves.
     std::uint32_t operator[](std::size_t place) const { return items_[place].box; }
 
   private:

@@ -111,7 +111,7 @@ class BoxTree {
 
     class Builder;
 
-    /// Of a node and all below it, which stand behind it up to `end`.
+    /// Finds the values of a node and of all nodes below it, which follow it up to `end`.
     template <class Value, class Of, class Both>
     void find_values(std::size_t index, std::size_t end, Of& of, Both& both,
                      std::vector<Value>& values) const {

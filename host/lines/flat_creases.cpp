@@ -26,17 +26,17 @@ constexpr double least_bend = 4 * degree; ///< hips of a square roof of 3 degree
 constexpr double least_flat_share = 0.3;         ///< of a part's area, in faces flat across an edge
 constexpr std::uint32_t most_few_triangles = 12; ///< of a part; nothing round has so few
 
-// What is large.
+// Limits of large faces.
 constexpr double least_size = 0.05;     ///< of a part's diagonal
 constexpr double least_of_model = 0.01; ///< of the model's
 
-// What is like.
+// Limits of similar edges, at which the surface goes on bending.
 constexpr double most_gentle = 6;        ///< times as much or as little, of gentle bends
 constexpr double most_sharp = 1.5;       ///< the same of an edge that is a crease already
 constexpr double parallel = 0.1;         ///< sine of the angle between edges
 constexpr double most_continued = 0.45;  ///< of an edge's length, on either side
 constexpr int samples = 10;              ///< of that length
-constexpr std::size_t most_sides = 4096; ///< a facet of more is none of something round
+constexpr std::size_t most_sides = 4096; ///< of a facet; facets of round things have fewer
 
 bool is_line(const std::optional<LineKind>& kind) {
     return kind && kind != LineKind::silhouette;
@@ -115,7 +115,7 @@ class FlatCreaseFinder {
         return candidates;
     }
 
-    /// Per triangle, the name of those that are flat with it.
+    /// Per triangle the name of its facet: the triangles in one plane with it.
     std::vector<std::uint32_t> facets() const {
         if (candidates_.empty()) return {};
         VertexSets sets{mesh_.triangles.size()};
@@ -127,7 +127,7 @@ class FlatCreaseFinder {
         return names;
     }
 
-    /// Those beside candidates.
+    /// Per facet whether it lies beside a candidate.
     std::vector<bool> asked_facets() const {
         std::vector<bool> is_asked(facet_of_.size(), false);
         for (const std::uint32_t i : candidates_)

@@ -105,7 +105,7 @@ double milliseconds_since(std::int64_t start) {
     return 1e-6 * static_cast<double>(host_nanoseconds() - start);
 }
 
-/// What bends more says it better than a ridge that runs along it.
+/// An edge that bends more is drawn as a crease, and not as the ridge that runs along it.
 constexpr double sharp_crease = std::numbers::pi / 3;
 
 enum class ListOfLines : std::uint8_t { fixed, candidates, replaced };
@@ -131,7 +131,7 @@ class Extraction {
 
     LineSet run() {
         reach(0.2F);
-        // What one thread does of either is done beside the other.
+        // Parts of either that run on one thread run beside the other.
         do_both([&] { classify_edges(); }, [&] { find_tree(); });
         reach(0.5F);
         leave_out_seams();
@@ -347,14 +347,14 @@ class Extraction {
                 .source = triangle_edge(mesh_, welded_, first_face_[i], edge.p, edge.q)};
     }
 
-    /// Of `fixed_`, where the edge is one of a polyline.
+    /// The line of `fixed_` that is the edge, if the edge is a part of a polyline; else null.
     Line* polyline_of(std::uint32_t i) {
         if (line_of_edge_.empty()) return nullptr;
         const auto found = line_of_edge_.find(pair_key(edges_[i].p, edges_[i].q));
         return found != line_of_edge_.end() ? &fixed_[found->second] : nullptr;
     }
 
-    /// What is left of each of the edges that are seams in part.
+    /// The lines that remain of each edge that is a seam in part.
     std::vector<std::vector<Line>> lines_of_cut_edges() {
         std::vector<std::vector<Line>> lines;
         auto part = seams_.left.begin();
@@ -437,7 +437,7 @@ class Extraction {
         times_.intersections = milliseconds_since(start);
     }
 
-    /// Of every object.
+    /// The drawn lines of every object.
     std::vector<std::vector<DrawnLine>> drawn_lines() const {
         const auto& ends = welded_.object_ends;
         std::vector<std::vector<DrawnLine>> result(ends.size());
@@ -584,7 +584,7 @@ class Extraction {
         return is_end;
     }
 
-    /// What has told lines from edges takes twice the memory of the lines.
+    /// Frees the tables by which lines were found, which take twice the memory of the lines.
     void forget_edges() {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
         empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,

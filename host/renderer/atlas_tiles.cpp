@@ -13,9 +13,9 @@ namespace lineatlas {
 void AtlasMethod::prepare_tiles(const Frame& frame) {
     if (frame.options.method != Method::atlas || frame.options.forms.atlas == StageForm::raster) {
         throw UsageError(
-            "tiles: only the methods exact, and atlas in its compute form, draw pictures of " +
+            "tiles: only the method exact, and atlas in its compute form, draw pictures of " +
             std::to_string(frame.camera.size.x) + "x" + std::to_string(frame.camera.size.y) +
-            " by tiles; choose one of them or a smaller --size");
+            " by tiles; choose one of them or a smaller Camera::size");
     }
     raster_ = false;
     cull_hidden_ = false;

@@ -13,15 +13,17 @@ namespace {
 
 void check(const DepthTexture& depth, Method method) {
     if (method != Method::atlas && method != Method::spine) {
-        throw UsageError("depth: only the methods atlas and spine use a program's own depth; exact "
-                         "uses no depth buffer at all");
+        throw UsageError(
+            "depth: only the methods atlas and spine use a program's own depth; choose "
+            "one of them as FrameOptions::method, or leave out own_depth");
     }
     if (depth.scale < 1 || depth.scale > finest_depth_scale) {
-        throw UsageError("depth: scale must be 1, 2, 3 or 4, not " + std::to_string(depth.scale));
+        throw UsageError("depth: DepthTexture::scale must be 1, 2, 3 or 4, not " +
+                         std::to_string(depth.scale));
     }
     if (depth.range.x == depth.range.y || !std::isfinite(depth.range.x) ||
         !std::isfinite(depth.range.y)) {
-        throw UsageError("depth: range must hold two different numbers");
+        throw UsageError("depth: DepthTexture::range must hold two different, finite numbers");
     }
 }
 
@@ -30,11 +32,11 @@ void check(const DepthTexture& depth, Method method) {
 void check(const FrameOptions& options) {
     check_frame_options(options);
     if (options.intervals > KeptIntervals::all)
-        throw UsageError("intervals must be one of none, visible, all");
+        throw UsageError("FrameOptions::intervals must be one of none, visible, all");
     const bool needs_runs = options.intervals != KeptIntervals::none || !options.draw;
     if (needs_runs && options.method != Method::atlas && options.method != Method::exact) {
-        throw UsageError("renderer: intervals, and frames that are not drawn, need method atlas or "
-                         "exact");
+        throw UsageError("renderer: intervals, and frames that are not drawn, need "
+                         "FrameOptions::method atlas or exact");
     }
     if (options.own_depth) check(*options.own_depth, options.method);
     check_style(options.style);

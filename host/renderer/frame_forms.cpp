@@ -50,8 +50,8 @@ std::string_view describe_forms(const compute::Tuning& tuning) {
     if (gl_samples_faster(tuning))
         return "depth, samples and strokes by GL, which has a GPU where kernels have none";
     return gl::is_software()
-               ? "samples by kernels; depth and strokes by GL, since kernels are in a "
-                 "GPU's form"
+               ? "samples by kernels; depth and strokes by GL, since kernels have the "
+                 "form for GPUs"
                : "samples by kernels; depth and strokes by GL, which has a GPU";
 }
 

@@ -48,7 +48,7 @@ interop::ConnectOptions connect_options(const DeviceOptions& options) {
     if (!options.compare_with.empty()) {
         if (!result.mode) result.mode = interop::SharingMode::copy;
         if (interop::is_for_one_device(*result.mode)) {
-            throw UsageError("comparing devices needs interop host-pointer or copy");
+            throw UsageError("comparing devices needs DeviceOptions::interop host-pointer or copy");
         }
     }
     return result;
@@ -62,7 +62,7 @@ GLuint framebuffer_name(GLuint framebuffer) {
     }
     if (framebuffer != 0 && glIsFramebuffer(framebuffer) == GL_FALSE) {
         throw UsageError("renderer: there is no framebuffer " + std::to_string(framebuffer) +
-                         " in this context");
+                         " in this context; make it in the renderer's own context");
     }
     return framebuffer;
 }
@@ -129,8 +129,9 @@ class Renderer::State {
     /// guard that it returns keeps the program's state.
     gl::StateGuard enter() const {
         if (gl::require_context() != context_) {
-            throw UsageError("renderer: another OpenGL context is current than the one that this "
-                             "renderer was made in");
+            throw UsageError(
+                "renderer: the current OpenGL context is not the one that this renderer "
+                "was made in; make that one current");
         }
         gl::require_alive();
         return gl::StateGuard{};

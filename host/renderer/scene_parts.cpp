@@ -24,8 +24,9 @@ std::span<const T> in(const std::vector<T>& table, std::uint32_t first, std::uin
     return std::span{table}.subspan(first, count);
 }
 
-/// Where those candidates of a part meet that are edges, in the form of LineTables::Chunk. Lists of
-/// the part's rooms begin at twice its first candidate. There is one more vertex than the part has.
+/// Where the candidates of a part that are edges meet each other, in the form of LineTables::Chunk.
+/// Lists of the part's rooms begin at twice its first candidate. There is one more vertex than the
+/// part has.
 EdgeEnds ends_of(const PartRooms& rooms, const LineSet& part) {
     const Contours& contours = part.contours;
     const std::span kept = std::span{part.segments}.first(part.segments.size() - contours.replaced -

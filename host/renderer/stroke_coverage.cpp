@@ -13,8 +13,8 @@ namespace {
 // A first guess; a frame that needs more makes the table grow.
 constexpr std::uint32_t first_entry_capacity = 1U << 14U;
 
-// If there is less than one run for so many pixels, GL draws the runs in less time than a pass over
-// the picture takes.
+// If there is less than one run for this many pixels, GL draws the runs in less time than a pass
+// over the picture takes.
 constexpr std::uint64_t pixels_per_run = 128;
 
 /// Whether the picture has 8 bits per channel, as coverage has.

@@ -9,7 +9,7 @@
 namespace lineatlas {
 namespace {
 
-/// The focus in pixels, also if it is a point in the scene, because density knows no depth.
+/// The focus in pixels, also if it is a point of the model, because density knows no depth.
 glm::vec4 focus_on_screen(const Frame& frame) {
     const Focus& focus = frame.options.style.focus;
     const glm::vec2 size = frame.viewport();

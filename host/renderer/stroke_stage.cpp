@@ -112,7 +112,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
         device_.begin_download(visible_.record.compute(), bytes_of(visible_.totals));
     } else {
         frame.clock(stage, [&] { read_totals(visible_); });
-        // Of chunks it is not known yet how many runs they have in all.
+        // If segments come in chunks, the number of all runs is not known yet.
         if (frame.scene.chunk_count() == 1) coverage_.settle(runs_to_draw());
     }
     if (has_hidden_) list(frame, true);

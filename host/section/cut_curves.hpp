@@ -6,8 +6,8 @@
 namespace lineatlas {
 
 /// Gives steps of a cut through known surfaces their curves, where these are circles or ellipses:
-/// puts the steps' places onto the curves and adds edges (KnownEdge::Kind::wire) along them, which
-/// the file calls as it does the surface.
+/// moves the places of the steps onto the curves, and adds edges along them (KnownEdge::Kind::wire)
+/// with the file's name of the surface.
 void follow_curves(PlaneCut& cut, const PlaneFrame& plane);
 
 } // namespace lineatlas

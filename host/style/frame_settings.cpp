@@ -32,7 +32,7 @@ Option lines() {
     return {"lines",
             fmt::format("auto, or one or more, separated by commas, of {}",
                         fmt::join(line_kind_names, ", ")),
-            "Kinds of line to draw; auto: all but tangent and centre, and more-lines of the style",
+            "Kinds of line to draw; auto: all but tangent and centre, plus more-lines of the style",
             false,
             [](const FrameOptions& o) -> SettingValue {
                 return o.lines ? line_kinds_to_text(*o.lines) : std::string{automatic_lines};

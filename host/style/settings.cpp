@@ -102,7 +102,7 @@ Setting more_lines() {
 
 Setting focus() {
     return {"focus",
-            "\"none\", X,Y in the window (0,0 lower left to 1,1) or X,Y,Z in the scene",
+            "\"none\", X,Y in the window (0,0 lower left to 1,1) or X,Y,Z of the model",
             "A point; lines farther from it take on the focus-... values",
             false,
             [](const Style& style) -> SettingValue {

@@ -52,7 +52,8 @@ struct Quadric {
     double constant, linear, square;
 };
 
-/// That of a line turned, which is a cylinder, a cone or a hyperboloid, and of a sphere.
+/// The quadric of a surface that a line makes by turning (a cylinder, a cone or a hyperboloid), or
+/// of a sphere.
 std::optional<Quadric> quadric_of(const SurfaceShape& shape) {
     const SurfaceCurve& curve = shape.curve;
     if (shape.offset != 0) return std::nullopt;

@@ -9,14 +9,15 @@
 
 namespace lineatlas {
 
-/// The ellipse that a revolution turns, as a torus does, in the half plane of the axis and a way
-/// out from it: an ellipse. None where the curve is no ellipse, or not in a plane with the axis.
+/// The ellipse by whose turning a surface of revolution is made, as a torus is, in the half plane
+/// from the axis towards `out`. None if the turned curve is no ellipse, or is not in one plane with
+/// the axis.
 std::optional<SurfaceCurve> meridian_ellipse(const SurfaceShape& shape, glm::dvec3 out);
 
-/// The circle or ellipse in which a plane cuts a surface of revolution near the place of two
-/// parameters: cylinders, cones and spheres where they are cut so, and others across the axis or
-/// along it. `plain` is plain_shape() of the shape. None of any other curve, or where the surface
-/// is placed with another scale along another axis.
+/// The circle or ellipse in which a plane cuts a surface of revolution, near the place with the
+/// parameters `at`. A cylinder, cone or sphere may be cut in any direction, any other surface
+/// across the axis or along it. `plain` is plain_shape() of the shape. None if the cut is another
+/// curve, or if the surface is scaled differently along its axes.
 std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const SurfaceShape& plain,
                                           const PlacedSurface& placed, glm::dvec3 point,
                                           glm::dvec3 normal, glm::dvec2 at);

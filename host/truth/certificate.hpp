@@ -18,7 +18,7 @@ struct Certificate {
     std::vector<Gap> gaps{};              ///< gaps_of()
 };
 
-/// Of all that is drawn, without StrictErrors.
+/// The certificate of all drawn lines, without StrictErrors.
 Certificate compare_lines(const EdgeTruth& truth, const DrawnLines& drawn);
 
 /// A certificate as one line, for a file's metadata.

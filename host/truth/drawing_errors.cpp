@@ -59,8 +59,8 @@ std::vector<WrongPoint> sampled(const EdgeTruth& truth, std::span<const DrawnPie
     for (const DrawnPiece& piece : drawn) {
         const double length = glm::distance(piece.from, piece.to);
         const double steps = std::max(1.0, std::ceil(length / drawn_step));
-        // Of a line that goes far beyond the picture only the part that may be in it, and a step
-        // more, is taken.
+        // If a line goes far beyond the picture, only the part that may be in it is taken, and a
+        // step more.
         const auto [first, last] = shares_inside(piece, truth.size());
         const double begin = std::max(0.0, std::floor(first * steps) - 1);
         const double end = std::min(steps, std::ceil(last * steps) + 1);

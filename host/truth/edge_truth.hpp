@@ -33,8 +33,8 @@ struct EdgePoint {
     /// Whether the segment is surely a line. Segments near the threshold of being a silhouette may
     /// be drawn and may be missing.
     bool required;
-    /// Of a chord that a mesh was cut to: the place over it on the circle. A line may run along
-    /// either.
+    /// For a chord of a circle that a mesh was cut from, the place on the circle over the point. A
+    /// line may run along either.
     std::optional<glm::vec2> on_arc{};
 };
 

@@ -52,8 +52,7 @@ class PathGrid {
     std::vector<std::uint32_t> path_of_; ///< per leg
 };
 
-/// Of each end, which are in order of x, the nearest one of another path within reach, or their
-/// number.
+/// Per end, in order of x, the nearest end of another path within reach, or the number of ends.
 std::vector<std::size_t> nearest_of(const std::vector<End>& ends) {
     std::vector<std::size_t> nearest(ends.size(), ends.size());
     std::vector<double> distances(ends.size(), widest);

@@ -67,7 +67,7 @@ class ParametricCurve {
     double from() const { return curve_.cubic ? 0 : curve_.arc.from; }
     double to() const { return curve_.cubic ? 1 : curve_.arc.from + curve_.arc.sweep; }
 
-    /// Of the path's points along the curve.
+    /// The parameters of the path's points along the curve.
     std::vector<double> parameters() const {
         std::vector<double> result{from()};
         for (std::uint32_t i = curve_.first + 1; i < curve_.last; ++i)
@@ -196,7 +196,7 @@ bool lies_within(const Circle& circle, const VectorPath& path, const PathInterva
     return farthest <= circle.rounding();
 }
 
-/// What lies within the circle, in order. Intervals that meet are one.
+/// The parts of a path within the circle, in order. Parts that meet are one.
 std::vector<PathInterval> intervals_within(const Circle& circle, const VectorPath& path,
                                            std::vector<PathPlace> places) {
     const auto end = static_cast<double>(path.points.size() - 1);

@@ -92,7 +92,7 @@ class PathCurves::Finder {
         return found;
     }
 
-    /// That of all steps of a path, or null; circles of meshes are none.
+    /// The ellipse that all steps of a path run along, or null. Circles of meshes do not count.
     const Ellipse* ellipse_of(const VectorPath& path) {
         const std::vector<Step> steps = steps_of(path);
         if (steps.front().is_chord) return nullptr;
@@ -101,10 +101,10 @@ class PathCurves::Finder {
         return steps.front().ellipse;
     }
 
-    /// Whether the mesh has any that paths may be bent along.
+    /// True if the mesh has curves that paths may be bent along.
     bool knows_curves() const { return !mesh_.edge_curves.empty() || !splines_.empty(); }
 
-    /// Before any points are left out: each step is one piece.
+    /// Puts a path onto its curves. Call before points are left out, while each step is one piece.
     void bend(VectorPath& path) const {
         std::vector<VectorPoint> points{path.points.front()};
         std::vector<VectorPiece> pieces;
@@ -181,8 +181,8 @@ class PathCurves::Finder {
     /// Whether the mesh has chords of circles.
     bool knows_chords() const { return !circles_of_mesh_.empty(); }
 
-    /// Of lines along each other one is drawn. A chord that another line runs along, and not that
-    /// line's arc, stays straight, so that one is near both.
+    /// Notes chords that another line runs along, but not along their arc. Such chords stay
+    /// straight, so that the line that is drawn for both is near both.
     void note_shared_chords(const std::vector<VectorPath>& paths) {
         std::vector<Leg> legs;
         SegmentGrid grid{size_};
@@ -204,7 +204,7 @@ class PathCurves::Finder {
         }
     }
 
-    /// Takes out what is within chords: of points, those that other triangles made.
+    /// Takes out points within chords, which other triangles have made.
     void join_chords(VectorPath& path) {
         std::vector<std::uint32_t> circles(path.points.size(), MeshCircles::none);
         for (const VectorPiece& piece : path.pieces) circles[piece.point] = circle_of_mesh(piece);
@@ -325,7 +325,8 @@ class PathCurves::Finder {
 
     using Ellipses = std::map<std::uint32_t, std::optional<Ellipse>>;
 
-    /// That of a number, calculated once. `curve()`: what it is in space, if it is any.
+    /// The ellipse of the curve with this number, calculated once. `curve()` returns the curve in
+    /// space, if there is one.
     template <class Curve>
     const Ellipse* ellipse_of(Ellipses& known, std::uint32_t number, const Curve& curve) {
         const auto [entry, fresh] = known.try_emplace(number);
@@ -342,7 +343,7 @@ class PathCurves::Finder {
         if (curve_of(edge) == nullptr) return nullptr;
         return ellipse_of(ellipses_, edge, [&] { return mesh_.edge_curves[edge]; });
     }
-    /// Of a silhouette that runs over a triangle whose surface is known, its number.
+    /// The number of the surface that a silhouette runs over, or KnownSurfaces::none.
     std::uint32_t surface_of(const LineSource& source) const {
         const KnownSurfaces& known = mesh_.surfaces;
         return is_contour(source) && source.triangle < known.of_triangle.size()
@@ -529,7 +530,7 @@ class PathCurves::Finder {
         return steps;
     }
 
-    /// That of which a piece is a chord, or MeshCircles::none.
+    /// The circle of the mesh that a piece is a chord of, or MeshCircles::none.
     std::uint32_t circle_of_mesh(const VectorPiece& piece) const {
         return edges_.edge_of(piece.source) != none ? MeshCircles::none
                                                     : circles_of_mesh_.circle_of(piece.segment);
@@ -538,7 +539,7 @@ class PathCurves::Finder {
         return ellipse_of(chords_, number, [&] { return circles_of_mesh_.circle(number); });
     }
 
-    /// Of a chord from corner to corner the circle that a mesh was cut from.
+    /// The circle that a mesh was cut from, for a chord from corner to corner; else null.
     const Ellipse* ellipse_of_chord(const VectorPath& path, const VectorPiece& piece) {
         const std::uint32_t number = circle_of_mesh(piece);
         if (number == MeshCircles::none || shared_.contains(piece.segment)) return nullptr;
@@ -609,8 +610,8 @@ class PathCurves::Finder {
             piece.point = (piece.point + count - static_cast<std::uint32_t>(first)) % count;
     }
 
-    /// Of a curve seen edge on, a straight line, the end of a path: on the chord where it turns
-    /// away from the eye, a little before the end of the curve itself.
+    /// Moves the end of a path along a curve that is seen edge on, as a straight line. The path
+    /// ends on the chord where the curve turns back; the curve itself reaches a little farther.
     void reach_extreme(const VectorPiece& piece, glm::dvec2 before, VectorPoint& end) {
         const std::uint32_t edge = edges_.edge_of(piece.source);
         if (curve_of(edge) == nullptr || ellipse_of(edge) != nullptr) return;
@@ -640,7 +641,7 @@ class PathCurves::Finder {
         end.world = place_on(curve, extreme);
     }
 
-    /// The curve of the steps from `first` up to `last`, if its points are on it, one after the
+    /// Adds the curve of the steps from `first` up to `last`, if the points lie on it one after the
     /// other.
     void add(VectorPath& path, const std::vector<Step>& steps, std::uint32_t first,
              std::uint32_t last) const {
@@ -649,7 +650,8 @@ class PathCurves::Finder {
         double sweep = 0;
         for (std::uint32_t i = first; i <= last; ++i) {
             const glm::dvec2 here = ellipse.unrolled(path.points[i].at);
-            // What ends at a chord of another line, as of a section, is put onto its own curve.
+            // A path that ends at a chord of another line, as of a section, is put onto its own
+            // curve.
             const bool is_end = !path.closed && (i == 0 || i == steps.size());
             const double slack = (is_end ? at_chord : on_curve) / ellipse.minor();
             if (!(std::abs(glm::length(here) - 1) < slack)) return;
@@ -669,7 +671,7 @@ class PathCurves::Finder {
         if (last == steps.size()) path.points.back().at = arc.at(from + sweep);
     }
 
-    /// What is smooth and no arc.
+    /// Adds cubics along the steps that are smooth and no arc.
     static void add_cubics(VectorPath& path, const std::vector<Step>& steps) {
         std::vector<VectorCurve> curves;
         auto arc = path.curves.begin();

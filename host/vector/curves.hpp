@@ -21,9 +21,9 @@ class PathCurves {
     PathCurves& operator=(const PathCurves&) = delete;
 
     /// Puts points onto curves, and between their chords' ends as many more as it takes to run
-    /// along them within a hundredth of a pixel. What is not on its curve, as of an object that has
-    /// moved since it was read, stays. An edge that ends beside the end of a silhouette on a
-    /// surface, as a rim does within a chord's length, ends there.
+    /// along them within a hundredth of a pixel. A point that is not on its curve stays, as on an
+    /// object that has moved since it was read. An edge that ends beside the end of a silhouette on
+    /// a surface, as a rim does within a chord's length, ends there.
     void bend(std::vector<VectorPath>& paths) const;
 
     /// Names the file's edge or face that each piece shows.

@@ -70,8 +70,8 @@ void DxfEntities::write(const SheetText& text) {
     text_.add(100, "AcDbText");
 }
 
-/// What is an ellipse, or cubics in a row, is an entity of its own, and so is what lies between
-/// two.
+/// An ellipse is an entity of its own. So are cubics in a row, and the part between two such
+/// entities.
 void DxfEntities::write(const Outline& outline) {
     const std::vector<OutlinePoint>& points = outline.points;
     if (std::ranges::none_of(points, &OutlinePoint::is_apart)) return write_part(outline);

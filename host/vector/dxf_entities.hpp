@@ -18,7 +18,7 @@ struct DxfLook {
     int line_weight = 0; ///< hundredths of a millimetre; 0: that of the layer
 };
 
-/// Outlines as entities of one block. y goes up in DXF: what turned one way turns the other.
+/// Outlines as entities of one block. y goes up in DXF, so arcs turn the other way.
 class DxfEntities {
   public:
     using Handle = DxfText::Handle;

@@ -29,7 +29,7 @@ class EdgesByPlace {
         const std::uint32_t piece = piece_of(source);
         return piece == none ? none : mesh_.known_edges[piece].edge;
     }
-    /// Which of Mesh::known_edges that is, or `none`.
+    /// Index into Mesh::known_edges of the edge that a segment is a part of, or `none`.
     std::uint32_t piece_of(const LineSource& source) const {
         if (!pieces_ || source.from >= place_of_.size() || source.to >= place_of_.size())
             return none;

@@ -145,7 +145,7 @@ std::string list_text(const char* key, const std::vector<Element>& elements, con
     return text + "\n]";
 }
 
-/// Of drawings with several: what paths name by number.
+/// The pens, which paths name by number if there are several.
 Json pens_json(const std::vector<Pen>& pens) {
     Json json = Json::array();
     for (const Pen& pen : pens) {

@@ -66,7 +66,7 @@ void join_centre_lines(const LineClasses& classes, const LinePens& pens,
     }
 }
 
-/// Of lines that a rule's opacity of 0 takes away.
+/// Drops paths whose pen has an opacity of 0.
 void drop_invisible(VectorDrawing& drawing) {
     std::erase_if(drawing.paths, [&](const VectorPath& path) {
         return (path.visible ? drawing.pens : drawing.hidden_pens)[path.pen].opacity == 0;
@@ -91,7 +91,7 @@ void apply_filter(const LineSet& lines, const Camera& camera, const Style& style
     }
 }
 
-/// Of ridges and valleys.
+/// Drops short ridges and valleys.
 void drop_short(const Camera& camera, std::vector<VectorPath>& paths) {
     const double least = double{LA_LEAST_SHAPE} * camera.size.y;
     std::erase_if(paths, [&](const VectorPath& path) {

@@ -214,7 +214,7 @@ class ArcsOfChain {
         return kept;
     }
 
-    /// Of a loop those beyond the last are its first ones.
+    /// Chord i of the chain; in a loop the first chord follows the last one.
     const Chord& chord(std::size_t i) const { return chain_.chords[i % count_]; }
 
   private:

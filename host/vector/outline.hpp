@@ -16,7 +16,7 @@ struct OutlinePoint {
     /// 0: straight to the next point, or by an ellipse. Else by an arc: the tangent of a quarter of
     /// its angle, positive where that goes from the x axis towards the y axis.
     double bulge = 0;
-    /// Where it is known, to the last digit, which chords don't tell.
+    /// The arc to the last digit, where it is known; chords do not tell it.
     std::optional<VectorArc> arc{};
     std::optional<VectorCubic> cubic{}; ///< or by this, and `bulge` is 0
 

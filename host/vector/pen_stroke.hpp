@@ -21,8 +21,8 @@ struct PenStroke {
 
 PenStroke pen_stroke(const Pen& pen, const Sheet& sheet);
 
-/// The length of its pattern that a line of dashes and dots leaves out at its start, so that a dash
-/// lies in its middle, where lines cross (ISO 128-2). 0 for dashes alone.
+/// The length of the pattern that a line of dashes and dots leaves out at its start, so that the
+/// middle of the line, where others cross it, lies in a dash (ISO 128-2). 0 for dashes alone.
 double dash_offset(const PenStroke& stroke, double length);
 
 } // namespace lineatlas

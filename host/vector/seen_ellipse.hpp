@@ -16,10 +16,10 @@ namespace lineatlas {
 /// in Computer Vision", 2004, result 8.6 for duals), from which its centre and axes can be read.
 class Ellipse {
   public:
-    /// Half the shorter axis of the flattest, pixels.
+    /// Half the shorter axis of the flattest ellipse, pixels.
     static constexpr double flattest = 0.5;
 
-    /// Nothing of one that is flatter, or reaches behind the eye.
+    /// Nothing for a curve that looks flatter, or reaches behind the eye.
     static std::optional<Ellipse> seen(const EdgeCurve& curve, const glm::dmat4& clip_from_world,
                                        glm::dvec2 size);
 

@@ -22,8 +22,8 @@ struct SheetSide {
     ViewDirection direction{};
     glm::dvec3 right{0}, down{0}; ///< of paper, in the model
     glm::dvec2 low{0}, high{0};   ///< its box on paper
-    /// Box of the picture, of a detail that of all of the view: loops are whole before they are
-    /// clipped.
+    /// Box of the picture. A detail has the box of its whole view, because loops are whole before
+    /// they are clipped.
     glm::dvec2 picture_low{0}, picture_high{0};
     glm::dvec2 middle{0}; ///< the point in the middle of its cell
     std::optional<SectionPlane> cut{};

@@ -26,8 +26,8 @@ class SurfaceOutlines {
                     const glm::dmat4& clip_from_world, glm::dvec2 size)
         : surfaces_(surfaces), eye_(eye), clip_from_world_(clip_from_world), size_(size) {}
 
-    /// That of a surface, where it goes from a place to another. Null where it is none, or is seen
-    /// edge on. It lives as long as this.
+    /// The silhouette of a surface from one place to another. Null if the silhouette is no circle
+    /// or ellipse, or is seen edge on. The result lives as long as this object.
     const Ellipse* between(std::uint32_t surface, glm::dvec3 from, glm::dvec3 to);
 
   private:

@@ -17,27 +17,27 @@ class SharedContext {
     virtual void release() = 0;      ///< on the thread on which it is current
 };
 
-/// Does what needs GL on a thread of its own, one thing after the other, so that who asks for it
+/// Runs work that needs GL on a thread of its own, one piece after the other, so that the caller
 /// need not wait.
 class DrawingThread {
   public:
-    /// `context` is the thread's as long as it lives, and must outlive it; `wake` is called on it
-    /// when something that was started is done.
+    /// `context` belongs to the thread and must outlive this object. The thread calls `wake` when
+    /// work that was started is done.
     DrawingThread(SharedContext& context, std::function<void()> wake);
-    /// Waits for what is being done.
+    /// Waits for the work that is running.
     ~DrawingThread();
     DrawingThread(const DrawingThread&) = delete;
     DrawingThread& operator=(const DrawingThread&) = delete;
 
-    /// Does it after what was started, and waits. Throws what it throws.
+    /// Runs `work` after the work that was started, and waits for it. Throws what `work` throws.
     void run(const std::function<void()>& work);
-    /// Lets it be done, and returns; nothing else may be under way. It must not throw.
+    /// Starts `work` and returns. No other work may be running. `work` must not throw.
     void start(std::function<void()> work);
-    /// Whether what was started is not done yet.
+    /// True while work that was started is running.
     bool busy() const;
-    /// Until it is done, or so long; whether it is done.
+    /// Waits until the work is done, but no longer than `longest`. Returns whether it is done.
     bool wait_for(std::chrono::milliseconds longest) const;
-    void wait() const; ///< until it is done
+    void wait() const; ///< until the work is done
 
   private:
     void work();

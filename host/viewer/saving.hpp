@@ -35,7 +35,7 @@ void save(const SavedPicture& picture, const std::filesystem::path& path, Render
 /// Options with which a renderer finds paths as the tool does, whatever is on the screen.
 FrameOptions options_of_paths(FrameOptions options);
 
-/// What it finds so of its lines, and if asked what the style fills.
+/// The paths that the renderer finds with such options, and if `filled` the fills of the style.
 SeenLines find_paths(Renderer& renderer, const LineSet& lines, const Camera& camera,
                      const FrameOptions& options, bool filled);
 

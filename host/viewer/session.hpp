@@ -206,9 +206,10 @@ class Session {
     bool refining() const;
     /// Whether the picture that is shown is drawn by `exact` in place of the segment atlas.
     bool refined() const { return shown_.refined; }
-    /// How long a picture took: what the next ones of a movement leave out.
+    /// Notes how long a picture took. The next pictures of a movement leave out as much as that
+    /// asks for.
     void note_duration(double seconds);
-    /// What gave way in the picture that is shown.
+    /// The step of economy of the picture that is shown.
     Economy economy() const { return shown_.economy; }
     /// Where the picture that is shown belongs in the present view, in pixels of the canvas from
     /// its lower left corner. It is moved and scaled as the target of the camera is.

@@ -46,8 +46,8 @@ std::vector<SegmentRange> cut_into_chunks(std::span<const Segment> segments, std
     return chunks;
 }
 
-/// Finds the candidates of a chunk. Uploads where those candidates meet that stay edges of the
-/// mesh.
+/// Finds the candidates of a chunk. Uploads where the candidates that stay edges of the mesh meet
+/// each other.
 void add_candidates(compute::Device& device, std::span<const Segment> segments,
                     const Contours* contours, LineTables::Chunk& chunk) {
     const std::span<const Segment> candidates = candidates_of(segments);

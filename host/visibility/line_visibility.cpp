@@ -32,9 +32,9 @@ void check(const VisibilityOptions& options) {
                          std::string(static_cast<const char*>(number.data()), end));
     }
     if (!(options.outline_depth >= 0) || !std::isfinite(options.outline_depth))
-        throw UsageError("outline depth must be a number of pixels of at least 0");
+        throw UsageError("outline_depth must be a finite number of pixels, at least 0");
     if (!(options.centre_overhang >= 0) || !std::isfinite(options.centre_overhang))
-        throw UsageError("centre overhang must be a number of pixels of at least 0");
+        throw UsageError("centre_overhang must be a finite number of pixels, at least 0");
 }
 
 /// Finds intervals of the trial lines, to try a device.
@@ -49,7 +49,9 @@ class LineVisibility::State {
     friend class LineVisibility;
 
     void check_ready(const Camera& camera) const {
-        if (!tables_) throw UsageError("visibility: there are no lines; set_lines() has failed");
+        if (!tables_)
+            throw UsageError(
+                "visibility: there are no lines, as set_lines() failed; call it again");
         check_camera(camera);
     }
 
@@ -124,7 +126,8 @@ class LineVisibility::State {
 
   private:
     SceneMotion& motion() {
-        if (!tables_) throw UsageError("visibility: there are no lines to move");
+        if (!tables_)
+            throw UsageError("visibility: there are no lines to move; call set_lines() first");
         return *motion_;
     }
 

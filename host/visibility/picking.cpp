@@ -88,7 +88,7 @@ std::optional<Ray> ray_through(const Camera& camera, glm::vec2 position) {
 
 void check_pick(glm::vec2 position, float radius) {
     if (!std::isfinite(position.x) || !std::isfinite(position.y))
-        throw UsageError("pick: the position is not finite");
+        throw UsageError("pick: the position must be two finite numbers of pixels");
     if (!(radius >= 0 && radius <= largest_radius))
         throw UsageError("pick: the radius must be 0 to 1000 pixels");
 }

@@ -131,14 +131,16 @@ void SceneMotion::set_hidden(std::span<const std::uint32_t> objects) {
 
 void SceneMotion::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
     if (first > vertex_count_ || positions.size() > vertex_count_ - first) {
-        throw UsageError("positions " + std::to_string(first) + " to " +
-                         std::to_string(first + positions.size()) + " of " +
-                         std::to_string(vertex_count_) + " vertices");
+        throw UsageError("set_positions(): the positions from " + std::to_string(first) +
+                         " to below " + std::to_string(first + positions.size()) +
+                         " do not fit the " + std::to_string(vertex_count_) +
+                         " vertices of the lines");
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::vec3 p = positions[i];
         if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) {
-            throw UsageError("position " + std::to_string(first + i) + " is not finite");
+            throw UsageError("set_positions(): position " + std::to_string(first + i) +
+                             " is not finite");
         }
     }
     const std::size_t end = first + positions.size();

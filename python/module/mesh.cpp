@@ -362,7 +362,7 @@ void bind_mesh(py::module_& module) {
             "origin", &Model::origin,
             "The origin that was subtracted from all positions. It is zero unless these lie so\n"
             "far from zero, compared with their size, that float32 would lose digits.\n"
-            "Points, views and matrices, and the focus of a style in the scene, are\n"
+            "Points, views and matrices, and a style's focus at a point of the model, are\n"
             "relative to it.")
         .def_property_readonly(
             "volume", [](const Model& model) { return enclosed_volume(model.mesh); },

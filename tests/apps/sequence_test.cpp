@@ -255,7 +255,7 @@ TEST_F(Sequence, RefusesBadCameraPaths) {
                    1, "none.json");
     expect_refused("draw --scene clevis --turntable 4 -o " + path("x%d.png") + " --camera-path " +
                        path("p.json"),
-                   2, "either --turntable or --camera-path");
+                   2, "--turntable and --camera-path exclude each other");
 }
 
 } // namespace

@@ -79,7 +79,7 @@ T counted_load(const volatile T* at) {
     note_read(const_cast<const T*>(at), sizeof *at);
     return *at;
 }
-/// What was there; it becomes `value` if it was `expected`.
+/// Returns the number that was there. The number becomes `value` if it was `expected`.
 template <class T>
 T counted_exchange(volatile T* at, T expected, T value) {
     const T old = counted_load(at);
@@ -158,7 +158,7 @@ std::uint32_t __tsan_atomic32_fetch_add(volatile std::uint32_t* at, std::uint32_
     *at = old + value;
     return old;
 }
-// Of each size, clang has the first of these three, g++ the others.
+// For each size clang calls the first of these three functions, g++ the others.
 std::uint32_t __tsan_atomic32_compare_exchange_val(volatile std::uint32_t* at,
                                                    std::uint32_t expected, std::uint32_t value, int,
                                                    int) {

@@ -73,7 +73,7 @@ class CountingDevice final : public Device {
 
 std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts) {
     if (counted_kernels().empty())
-        throw UsageError("kernels do not count in a build with sanitizers");
+        throw UsageError("kernels do not count in a build with sanitizers; use another build");
     return std::make_unique<CountingDevice>(counts);
 }
 

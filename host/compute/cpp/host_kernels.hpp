@@ -7,8 +7,8 @@
 
 namespace lineatlas::compute {
 
-/// Runs work-items `first` up to, without, `last` of `count` of a kernel, one after the other.
-/// `parameters`: its struct; `tables`: the memory of each of its tables, in the order of
+/// Runs the work-items from `first` to below `last`, of `count` in all, of a kernel, one after the
+/// other. `parameters`: its struct; `tables`: the memory of each of its tables, in the order of
 /// kernels/kernels.h.
 using HostFunction = void (*)(const void* parameters, void* const* tables, std::size_t first,
                               std::size_t last, std::size_t count);

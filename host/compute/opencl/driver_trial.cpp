@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 /// Memory for the frame itself, beside the memory that drivers take for one small kernel.
 constexpr std::size_t room = std::size_t{192} << 20U;
 /// Some drivers wait endlessly. A good driver takes less than a second, but many on a busy machine.
-/// So the time counts during which nothing of it runs or waits to run.
+/// So only the time counts in which no thread of the copy runs or waits to run.
 constexpr std::chrono::seconds most_asleep{3};
 constexpr std::chrono::seconds most_time{60};
 /// ocl-icd asks each platform for its devices before it names any, to sort them. "none" turns that

@@ -24,7 +24,7 @@ class Batches {
     BatchTable table() const { return {boxes_.get(), states_.get(), count_}; }
 
   private:
-    /// What boxes were made from.
+    /// The input that boxes were made from.
     struct Of {
         const Buffer *elements = nullptr, *vertices = nullptr;
         std::uint64_t version = 0;

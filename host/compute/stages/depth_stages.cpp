@@ -8,7 +8,7 @@
 namespace lineatlas::compute {
 namespace {
 
-/// Triangles are clipped at so many times the picture's half side. The kernel's sums fit for this
+/// Triangles are clipped at this many times the picture's half side. The kernel's sums fit for this
 /// many texels from side to side.
 float guard_band(glm::ivec2 whole_size) {
     constexpr float most_texels = 60'000, widest = 4;

@@ -49,7 +49,7 @@ class ExactVisibility {
     Buffer& counts() const { return *own_.offsets; }
 
   private:
-    /// What stands on the screen; kernels/exact_tables.h says what each table holds.
+    /// The tables of faces on the screen; kernels/exact_tables.h says what each holds.
     struct Lists {
         Device* device;
         // Per model:
@@ -61,14 +61,14 @@ class ExactVisibility {
         Table ends{*device, table::exact_ends}; ///< columns() uint32 per tile, and the number of
                                                 ///< entries
         Table groups{*device, table::exact_groups}; ///< a uint32 per tile, and the number of groups
-        // That grow:
+        // Tables that grow:
         Table entries{*device, table::exact_entries}; ///< `Entry` each, entry_capacity of them
         Table blocks{*device, table::exact_blocks};   ///< LA_GROUP_FLOATS floats per group,
                                                       ///< group_capacity of them
         Table boxes{*device, table::exact_boxes};     ///< LA_BOX_FLOATS floats for group_capacity +
                                                       ///< LA_GROUP groups
     };
-    /// What is seen of lines.
+    /// The visible parts of lines.
     struct Found {
         Table kept;    ///< 4 floats per line
         Table offsets; ///< a uint32 per line, and the number of spans

@@ -176,12 +176,12 @@ class Stages {
   private:
     /// The blank tiles of `args`, or a table in which nothing is known to be blank.
     Buffer& blank_tiles(const DepthArgs& args);
-    /// Where Tuning::depth_each, what depth_order and depth_tiles do.
+    /// With Tuning::depth_each in place of depth_order and depth_tiles.
     void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
     /// The order of the clusters, and where each stands in it.
     void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
                         Buffer& positions);
-    /// Of what `wanted` asks for, per block of segments, scanned.
+    /// The counts of what `parameters` ask for, per block of segments, scanned.
     Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
                         const SpanTable& spans, const SpansParameters& parameters);
     Device& device_;

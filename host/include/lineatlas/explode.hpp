@@ -10,18 +10,18 @@
 
 namespace lineatlas {
 
-/// Where a part goes in place of outwards.
+/// A move of a part by hand, in place of the move outwards.
 struct PartMove {
     /// A name, or names that follow each other in its path: "Bolt*" is any bolt, and what is in it
     /// goes with it. `*` stands for any letters, `?` for one.
     std::string part;
-    glm::dvec3 by{0}; ///< in model units, beside what the assembly does that the part is in
+    glm::dvec3 by{0}; ///< in model units, in addition to the move of the assembly that holds it
 };
 
 /// How far parts of a model stand apart.
 struct Explosion {
-    /// Each part stands so many times as far from the middle of the assembly that it is in, 1 to
-    /// 100; the middles are those of boxes along the axes.
+    /// Each part stands this many times as far from the middle of its assembly, 1 to 100. Middles
+    /// are those of boxes along the axes.
     double factor = 1;
     std::vector<PartMove> moves{}; ///< the last one that names a part counts for it
     bool trails =

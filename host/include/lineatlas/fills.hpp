@@ -11,7 +11,7 @@
 #include "lineatlas/vector.hpp"
 
 /// @file
-/// Fills of drawings as paths: what of each part is seen in which colour.
+/// Fills of drawings as paths: areas of what is seen, one for each part and colour.
 
 namespace lineatlas {
 

@@ -31,14 +31,14 @@ enum class LineKind : std::uint32_t {
     intersection = LA_KIND_INTERSECTION, ///< where parts pass through each other; no edge
     section = LA_KIND_SECTION,           ///< the outline of a cut: Section::mesh has it
     hatching = LA_KIND_HATCHING,         ///< on the faces of a cut
-    /// Along the crest of a surface that nobody designed, as of a scan; no edge.
+    /// Along the crest of an undesigned surface, such as a scan; no edge.
     ridge = LA_KIND_RIDGE,
     valley = LA_KIND_VALLEY, ///< the same along its furrows
-    /// Where faces of a file go over into each other (KnownEdge::Kind::smooth), two surfaces and
-    /// not one that is cut in two.
+    /// Where two surfaces of a file meet smoothly (KnownEdge::Kind::smooth); not where one surface
+    /// is cut in two.
     tangent = LA_KIND_TANGENT,
-    /// The axis of a round surface of Mesh::surfaces; its mark, two lines across, where it is seen
-    /// end on. No edge.
+    /// The axis of a round surface of Mesh::surfaces, or two crossed lines if the axis is seen end
+    /// on. No edge.
     centre = LA_KIND_CENTRE,
     trail = LA_KIND_TRAIL, ///< from where a part belongs to where explode() has moved it; no edge
 };
@@ -50,9 +50,9 @@ inline constexpr std::array<std::string_view, LA_KIND_COUNT> line_kind_names{
 
 /// A set of line kinds: bit `1 << kind`.
 using LineKindMask = std::uint32_t;
-/// Every kind there is.
+/// All kinds.
 inline constexpr LineKindMask all_line_kinds = (1U << LA_KIND_COUNT) - 1;
-/// The kinds that drawings have where nobody asks for others: Style::more_lines adds to them.
+/// The kinds that are drawn unless others are asked for. Style::more_lines adds to them.
 inline constexpr LineKindMask usual_line_kinds =
     all_line_kinds & ~(1U << LA_KIND_TANGENT | 1U << LA_KIND_CENTRE);
 /// The set of that kind alone.
@@ -62,7 +62,7 @@ constexpr LineKindMask mask_of(LineKind kind) {
 
 /// Where silhouettes run. docs/lines.md has the rules.
 enum class Silhouettes : std::uint32_t {
-    automatic, ///< smooth on patches of a mesh that are, else along edges
+    automatic, ///< smooth on patches of a mesh that are smooth, else along edges
     smooth,    ///< where normals, interpolated over triangles, are at a right angle to the view
     mesh,      ///< along edges between a front and a back face
 };
@@ -78,9 +78,9 @@ struct LineOptions {
     std::optional<float> crease{};
     /// Radians, 0 to pi. A path goes on through a vertex where it turns by no more than this.
     float chain_angle = 1.134464F;
-    /// Objects move on their own (Renderer::set_transforms): nothing is welded between them, so
-    /// that where they touch each has a line of its own, and nothing is cut where they meet. They
-    /// are those of Mesh::triangle_object, or groups of one name.
+    /// Objects move on their own (Renderer::set_transforms). Then nothing is welded or cut between
+    /// objects: where two objects touch, each has a line of its own. Objects are those of
+    /// Mesh::triangle_object, or groups of one name.
     bool separate_objects = false;
     /// Make creases of edges of KnownEdge::Kind::smooth, too: where a fillet ends.
     bool smooth_edges = false;
@@ -88,28 +88,28 @@ struct LineOptions {
     Silhouettes silhouettes = Silhouettes::automatic;
 };
 
-/// What moves on its own.
+/// An object of a model: it moves on its own.
 struct LineObject {
     std::string name;               ///< MeshGroup::object; empty where objects are numbers
     std::uint32_t first_vertex = 0; ///< of its part of LineSet::vertices
     std::uint32_t vertex_count = 0; ///< in that part
 };
 
-/// Where a segment lies in the `Mesh` that it was extracted from: of a part of an edge the whole
-/// edge.
+/// The place of a segment in the `Mesh` that it was extracted from. If the segment is a part of an
+/// edge, the whole edge.
 struct LineSource {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< there is none
     std::uint32_t from = none; ///< index into Mesh::positions of the segment's start p
     std::uint32_t to = none;   ///< index into Mesh::positions of its end q
-    /// Index into Mesh::triangles of one that has both; for a ridge or valley of the one that it
-    /// runs through, while `from` and `to` are none; for a
-    /// centre line one of its surface, likewise; none for a file's polyline.
+    /// Index into Mesh::triangles of a triangle that has both ends. For a ridge or a valley, the
+    /// triangle that it runs through, and for a centre line, a triangle of its surface; `from` and
+    /// `to` are none then. None for a polyline of the file.
     std::uint32_t triangle = none;
-    /// For an intersection the other one of the two triangles, while `from` and `to` are none.
+    /// For an intersection, the other one of the two triangles; `from` and `to` are none then.
     std::uint32_t crossing = none;
 };
 
-/// A vertex that no position of the mesh is: where a line begins or ends within an edge.
+/// A vertex that is no position of the mesh: a line begins or ends there within an edge.
 struct CutVertex {
     std::uint32_t vertex; ///< of LineSet::vertices
     std::uint32_t from;   ///< of LineSet::vertices, one end of the edge
@@ -117,30 +117,30 @@ struct CutVertex {
     float share;          ///< of the way from one to the other
 };
 
-/// What extract_lines() met beside proper triangles.
+/// Odd triangles that extract_lines() left out or repaired.
 struct OddTriangles {
     std::size_t repeated = 0;  ///< over the same corners as another, in any winding: left out
     std::size_t collapsed = 0; ///< two corners at one place: left out
     std::size_t flat = 0;      ///< no area: taken to lie in the plane of a neighbour
 };
 
-/// What extract_lines() did not take for a line, in edges of the mesh.
+/// Numbers of edges of the mesh that extract_lines() did not take for lines.
 struct LeftOut {
-    std::size_t noisy_creases = 0; ///< bent by more than 28.8 degrees, as noise of a surface is
-    std::size_t seams = 0;         ///< boundaries and creases over which faces go on
-    std::size_t cut_seams = 0;     ///< those of which a part is a line
-    /// Pairs of boundaries kept apart by rounding, or by corners of one within the other, made one
-    /// edge.
+    std::size_t noisy_creases = 0; ///< bent by more than 28.8 degrees, but noise of a surface
+    std::size_t seams = 0;         ///< boundaries and creases across which faces continue
+    std::size_t cut_seams = 0;     ///< seams with a part that is a line
+    /// Pairs of boundaries that became one edge. Rounding had kept them apart, or corners of one
+    /// boundary within the other.
     std::size_t cracks = 0;
 };
 
 /// Milliseconds that steps of extract_lines() took.
 struct LineTimes {
-    double creases = 0;       ///< telling those of the model from noise
-    double seams = 0;         ///< finding where faces go on
-    double intersections = 0; ///< of parts
-    double ridges = 0;        ///< and valleys
-    double centres = 0;       ///< of round surfaces
+    double creases = 0;       ///< telling creases of the model from noise
+    double seams = 0;         ///< finding where faces continue across edges
+    double intersections = 0; ///< finding intersections of parts
+    double ridges = 0;        ///< finding ridges and valleys
+    double centres = 0;       ///< finding centre lines
 };
 
 /// Where silhouettes of smooth surfaces may run: one segment through a triangle, from edge to edge,
@@ -152,7 +152,8 @@ struct Contours {
     /// Indices into `edges`, around the triangle of each such segment; with LA_CONTOUR_TURNED for
     /// an edge that runs the other way.
     std::vector<glm::uvec3> faces;
-    /// Segments before those that they stand for: the same silhouettes along edges.
+    /// The number of segments, before those of the contours, that are the same silhouettes along
+    /// edges.
     std::uint32_t replaced = 0;
     /// The surfaces on which silhouettes by the exact method lie, with one entry for each of
     /// `faces` in place of a triangle of the mesh. Empty: silhouettes go by normals.
@@ -202,26 +203,27 @@ struct OutlinePart {
 };
 
 /// Welds the mesh by exactly equal position, classifies its edges and chains them into paths.
-/// Throws UsageError when an index of the mesh, of a position or of a group, is out of range, when
-/// there are not as many of Mesh::triangle_group as of triangles, a position is not finite, or an
-/// angle out of range; Cancelled where `progress` says so.
+/// Throws UsageError if an index of a position or of a group is out of range, if
+/// Mesh::triangle_group is not as long as Mesh::triangles, if a position is not finite, or if an
+/// angle is out of range. Throws Cancelled if `progress` returns false.
 LINEATLAS_API LineSet extract_lines(const Mesh& mesh, const LineOptions& options = {},
                                     const Progress& progress = {});
 
-/// Moves vertices and normals as Renderer::set_transforms() shows them: for make_vector_drawing()
-/// and LineVisibility, and for a renderer whose objects stay there. Throws UsageError as that does.
+/// Moves vertices and normals as Renderer::set_transforms() does, for make_vector_drawing(), for
+/// LineVisibility, and for a renderer whose objects stay at these places. Throws UsageError as
+/// Renderer::set_transforms() does.
 LINEATLAS_API void move_objects(LineSet& lines, std::span<const glm::mat4> world_from_object);
 
-/// Takes the objects out of sight as Renderer::set_hidden() does, for the same: their lines become
-/// points, which nothing draws. Hide them in a copy; there is no way back. Throws UsageError for an
-/// object that there is not.
+/// Hides objects as Renderer::set_hidden() does, for the same uses as move_objects(): their lines
+/// become points, which nothing draws. Hide objects in a copy, because they cannot be shown again.
+/// Throws UsageError for an object that does not exist.
 LINEATLAS_API void hide_objects(LineSet& lines, std::span<const std::uint32_t> objects);
 
-/// Moves the vertices to the places that they have if the mesh has these positions, in its order:
-/// for a mesh that bends and stretches, but keeps its triangles. Lines keep their kinds and edges.
-/// Smooth surfaces stay smooth, with normals of the moved triangles. A renderer shows it by
-/// Renderer::set_positions() of LineSet::vertices. Throws UsageError where there are fewer
-/// positions than vertices come from, or one of them is not finite; then all is as it was.
+/// Moves the vertices to where they are if Mesh::positions are `positions`: for a mesh that bends
+/// and stretches, but keeps its triangles. Lines keep their kinds and edges. Smooth surfaces stay
+/// smooth, with normals of the moved triangles. Renderer::set_positions() of LineSet::vertices
+/// shows the change. Throws UsageError if there are fewer positions than the vertices come from, or
+/// if one is not finite; then nothing has changed.
 LINEATLAS_API void move_vertices(LineSet& lines, std::span<const glm::vec3> positions);
 
 } // namespace lineatlas

@@ -15,7 +15,8 @@
 
 namespace lineatlas {
 
-/// What a triangle belongs to. A mesh edge between two different groups is a material line.
+/// The object and the material of triangles. A mesh edge between two different groups is a material
+/// line.
 struct MeshGroup {
     std::string object;   ///< OBJ `o`/`g` name; empty where the file names none
     std::string material; ///< OBJ `usemtl` name; empty where the file names none
@@ -67,8 +68,8 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_group; ///< per triangle, index into `groups`; or empty
     std::vector<MeshGroup> groups;             ///< empty when `triangle_group` is empty
     std::vector<std::vector<std::uint32_t>> polylines; ///< lines given in the file (OBJ `l`)
-    /// What moves on its own (LineOptions::separate_objects): per triangle the number of its
-    /// object. Empty: triangles of groups of one name are an object.
+    /// Per triangle the number of its object, which moves on its own
+    /// (LineOptions::separate_objects). Empty: triangles of groups with one name are an object.
     std::vector<std::uint32_t> triangle_object{};
     /// The same per polyline. Empty: polylines are one object, the last.
     std::vector<std::uint32_t> polyline_object{};
@@ -76,10 +77,11 @@ struct Mesh {
     /// triangles do not, because inside a curved face they come from the tessellation. If all of
     /// them are KnownEdge::Kind::marked or wire, angles decide about all other edges.
     std::vector<KnownEdge> known_edges{};
-    /// Per number of a file's edge (KnownEdge::edge) its curve, or nothing where it is none of
-    /// these. It may end before the last number. Paths leave as such (SvgOptions::curves).
+    /// Per number of a file's edge (KnownEdge::edge) its circle or ellipse, or nothing if it is
+    /// neither. It may end before the last number. Paths along such an edge are written as that
+    /// curve (SvgOptions::curves).
     std::vector<std::optional<EdgeCurve>> edge_curves{};
-    /// Per number of a file's edge what the file calls it, as #12 of STEP, or 0 where that is not
+    /// Per number of a file's edge its number in the file, as #12 of STEP, or 0 if that is not
     /// known. It may end before the last number.
     std::vector<std::uint32_t> edge_entities{};
     /// What each polyline is. Empty: all are PolylineKind::file.
@@ -92,12 +94,12 @@ struct Mesh {
     /// The surfaces that curved triangles approximate; their normals are those of `corner_normals`.
     /// Smooth silhouettes by the exact method lie on them. Empty: none are known.
     KnownSurfaces surfaces{};
-    /// How far a position may be off its exact place, as in files that round to a grid, or a chord
-    /// off its curve, in model units. Things nearer than that count as touching. 0: the precision
-    /// of floats.
+    /// Distance, in model units, by which a position may be off its exact place, as in files that
+    /// round to a grid, or a chord off its curve. Things nearer to each other than that count as
+    /// touching. 0: the precision of floats.
     float precision = 0;
 
-    /// Whether it has nothing to draw.
+    /// True if the mesh has nothing to draw.
     bool empty() const { return triangles.empty() && polylines.empty(); }
 };
 

@@ -48,19 +48,19 @@ enum class StageForm {
     compute,   ///< in kernels
 };
 
-/// The forms of stages, for measurements and for finding faults. All but `automatic` may be slower;
-/// the picture is the same but for rounding.
+/// The forms of stages, for measurements and for finding faults. `automatic` takes the form that is
+/// known to be faster. Pictures of the two other forms differ only by rounding.
 struct StageForms {
-    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples; `automatic`:
-    /// compute, or raster where GL has a GPU and kernels have none.
+    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples. `automatic`:
+    /// raster if GL has a GPU and kernels have none, else compute.
     StageForm atlas = StageForm::automatic;
-    /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
-    /// Methods atlas and spine, exact for its fill. `automatic`: compute beside a software GL where
-    /// kernels run on the CPU too, else raster.
+    /// Depth (§3.2), and a fill by that depth. The two forms cover the same texels, except a few in
+    /// 100,000. For the methods atlas and spine, and for the fill of exact. `automatic`: compute if
+    /// GL and kernels both run on the CPU, else raster.
     StageForm depth = StageForm::automatic;
-    /// Strokes (§4.4); `automatic` as for depth. Kernels draw marks that are even across the stroke
-    /// (solid, dashed) with butt and round caps and joins without bevels, to pictures of 8 bits,
-    /// with no profiles and no focus; whatever else a frame asks for is drawn by GL.
+    /// Strokes (§4.4); `automatic` as for depth. Kernels draw pictures of 8 bits with marks that
+    /// are even across the stroke (solid, dashed), butt and round caps, and joins without bevels,
+    /// but no profiles and no focus. GL draws all of a frame that asks for anything else.
     StageForm strokes = StageForm::automatic;
 };
 
@@ -74,8 +74,9 @@ enum class KeptIntervals {
 /// A depth buffer that the program has drawn itself, with the camera of the frame.
 ///
 /// A 2D texture with any format that has depth, fixed point or floating; not multisampled (resolve
-/// it first: glBlitFramebuffer). Without polygon offset, which would move what lines lie on. It is
-/// only read, and may be an attachment of the framebuffer that is drawn to.
+/// it first: glBlitFramebuffer). It must be drawn without polygon offset, which would move the
+/// surfaces that lines lie on. The texture is only read, and may be an attachment of the
+/// framebuffer that is drawn to.
 struct DepthTexture {
     std::uint32_t texture = 0; ///< its name in GL
     glm::ivec2 origin{0, 0};   ///< texel at the lower left corner of the viewport
@@ -95,42 +96,44 @@ struct FrameOptions {
     /// and spine only.
     std::optional<DepthTexture> own_depth{};
     float step = 2; ///< k: pixels between samples, 0.01 to 10000 (§4.1)
-    /// What is drawn of the kinds extracted. Nothing: the usual ones and Style::more_lines.
+    /// The kinds to draw, of those that were extracted. Nothing: the usual kinds and
+    /// Style::more_lines.
     std::optional<LineKindMask> lines{};
     StageForms forms{}; ///< where stages run
-    /// Methods spine and item_buffer know only the pen's mark, width, colour and opacity, opengl
-    /// only the last three; item_buffer, like atlas, joins and caps too.
+    /// The look of the lines. The method spine uses only the pen's mark, width, colour and opacity.
+    /// item_buffer also uses joins and caps. opengl uses only width, colour and opacity.
     Style style{};
-    /// Leave out triangles and segments that are hidden whole, where a model is large enough for
-    /// that to pay. Changes nothing in the picture.
+    /// Leave out triangles and segments that are hidden as a whole, if the model is large enough
+    /// for that to pay. Changes nothing in the picture.
     bool cull_hidden = true;
-    /// Average visibility with that of the frame before where the picture moves slowly, so that
-    /// lines don't sparkle, and carry texture coordinates of silhouettes over, so that they don't
-    /// crawl. A still picture, or the first after a jump, is not touched. Atlas only.
+    /// In slow motion, average visibility with that of the frame before, so that lines don't
+    /// sparkle, and carry texture coordinates of silhouettes over, so that textures don't crawl. A
+    /// still picture, and the first one after a jump, do not change. Method atlas only.
     bool steady = true;
     KeptIntervals intervals = KeptIntervals::none; ///< atlas and exact only
-    /// Draw the picture; without it a frame is only computed, for its intervals.
+    /// Draw the picture. False: a frame is only computed, for its intervals.
     bool draw = true;
     bool measure_stages = false; ///< wait after every stage and report its time; slower
     bool profile = false;        ///< keep times for Renderer::take_profiles()
 };
 
-/// As `lineatlas draw` draws a picture where no option says otherwise: by Method::exact, with
-/// default_style(). It draws sequences by Method::atlas, as a program does by FrameOptions{}.
+/// The options by which `lineatlas draw` draws one picture unless its own options say otherwise:
+/// Method::exact and default_style(). FrameOptions{} is for many frames in a row: Method::atlas, as
+/// the tool draws sequences.
 LINEATLAS_API FrameOptions default_frame_options();
 
-/// Where a picture is drawn part by part.
+/// The target of a picture that is drawn tile by tile.
 struct TileTarget {
     std::uint32_t framebuffer = 0; ///< or `bound_framebuffer`
-    int tile_size = 2048; ///< no tile is wider or higher; the framebuffer is at least as large
-    /// Before a tile is drawn, into the framebuffer's lower left corner: clear it.
+    int tile_size = 2048; ///< most pixels a side of a tile; the framebuffer must be as large
+    /// Called before a tile is drawn into the framebuffer's lower left corner, to clear it.
     std::function<void(const PictureTile&)> begin{};
-    /// After that: take the pixels.
+    /// Called after a tile was drawn, to take its pixels.
     std::function<void(const PictureTile&)> end{};
     Progress progress{}; ///< asked before each tile, in your GL state; see Renderer::draw_tiles()
 };
 
-/// How long a stage of a frame took, from one wait for the device to the next.
+/// The time of a stage of a frame, from one wait for the device to the next.
 struct StageTime {
     std::string name;    ///< depth, pyramid, facing, silhouette, chain, project_clip, scan, atlas,
                          ///< compact, strokes, ...
@@ -156,30 +159,32 @@ inline constexpr std::uint32_t bound_framebuffer = 0xFFFFFFFF;
 
 /// Draws a line set through the segment atlas (§4).
 ///
-/// Belongs to the GL 4.5 context, core or compatibility, that is current when it is made: that
-/// context must be current in every call, on whatever thread, one at a time. Renderers of different
-/// contexts may work at the same time on different threads; there may be several in one context.
-/// UsageError says so where no context or another one is current or it carries out no drawing
-/// (glNewList()), DeviceError where GL is too old. Destroy it with its context current; without,
-/// nothing breaks, but what it has in GL stays there until the context goes.
+/// A renderer belongs to the GL 4.5 context, core or compatibility, that is current when the
+/// renderer is made. That context must be current in every call, on any thread, by one thread at a
+/// time. Several renderers may share a context. Renderers of different contexts may work at the
+/// same time on different threads. A call throws UsageError if no context or another context is
+/// current, or if the context carries out no drawing (glNewList()), and DeviceError if GL is too
+/// old. Destroy a renderer with its context current. Otherwise nothing breaks, but its GL objects
+/// stay until the context is destroyed.
 ///
 /// All calls throw Error.
 class LINEATLAS_API Renderer {
   public:
-    /// In the current GL context. Throws UsageError for a backend or mode that does not exist,
-    /// DeviceError where the machine has no such device or can't share buffers in that mode.
+    /// Makes a renderer in the current GL context. Throws UsageError for a backend or sharing mode
+    /// that does not exist, DeviceError if the machine has no such device or can't share buffers in
+    /// that mode.
     explicit Renderer(const DeviceOptions& options = {});
     ~Renderer();
-    /// What is moved from can only be assigned to or destroyed.
+    /// A moved-from renderer may only be assigned to or destroyed.
     Renderer(Renderer&&) noexcept;
-    /// The context must be current: what was there is destroyed.
+    /// The context of the old renderer must be current, because that renderer is destroyed.
     Renderer& operator=(Renderer&&) noexcept;
 
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
 
-    /// What the tables of all frames so far take on the compute device, in the order in which they
-    /// came up; docs/architecture.md says what each holds.
+    /// The memory that the tables of all frames so far take on the compute device, in the order of
+    /// their first use. docs/architecture.md says what each table holds.
     std::vector<compute::TableMemory> tables() const;
 
     /// One line for people if the device is not the expected one: no OpenCL driver works, or a
@@ -188,61 +193,62 @@ class LINEATLAS_API Renderer {
     /// device.
     std::string note() const;
 
-    /// Changes backend, device and sharing mode between frames. Lines and pens stay, from memory of
-    /// the old device; what the last frame left to read does not, and nothing is averaged with it.
-    /// Throws as the constructor does, and then all is as it was. A device that is lost can't give
-    /// its lines away: then make a new renderer.
+    /// Changes backend, device and sharing mode between frames. Lines and pens are copied from the
+    /// old device. Results of the last frame can no longer be read, and the next frame is not
+    /// averaged with it. Throws as the constructor does, and then nothing has changed. Lines cannot
+    /// be copied from a lost device: make a new renderer.
     void set_device(const DeviceOptions& options);
 
-    /// What DeviceOptions::compare_with has found equal.
+    /// The amount that DeviceOptions::compare_with has found equal.
     struct Comparison {
-        std::uint64_t kernels = 0;  ///< that ran
-        std::uint64_t elements = 0; ///< of the tables they wrote
+        std::uint64_t kernels = 0;  ///< kernels that ran
+        std::uint64_t elements = 0; ///< elements of the tables that they wrote
     };
     /// Counted from the renderer's first frame.
     Comparison comparison() const;
 
-    /// Makes a picture known as a pen: `mark` is what Pen::mark calls it. Throws UsageError if that
-    /// is not the name of a file (it needs a `/` or a `.`) or the picture is empty.
+    /// Gives the picture for pens whose Pen::mark is `mark`. Throws UsageError if `mark` is not the
+    /// name of a file (it needs a `/` or a `.`), or if the picture is empty.
     void set_pen_image(const std::string& mark, Image image);
 
-    /// Uploads the lines and triangles to draw; they replace what was there. Throws UsageError for
-    /// an index that is out of range and a vertex that is not finite; what was there stays then.
+    /// Uploads the lines and triangles to draw, in place of earlier ones. Throws UsageError for an
+    /// index that is out of range and for a vertex that is not finite; the earlier lines stay then.
     void set_lines(const LineSet& lines);
     /// The same with the parts of an assembly, which may change and be set again. Parts that were
-    /// there when it was set last keep their places, stay moved or hidden, and cost nothing; new
-    /// parts are where they were made. Each part is an object. set_transforms() takes a matrix for
-    /// every number, also for removed parts; theirs is ignored. Results of the last frame can no
-    /// longer be read.
+    /// in the assembly the last time stay moved or hidden, and cost nothing. New parts stand where
+    /// they were made. Each part is an object. set_transforms() takes a matrix for every number,
+    /// also for removed parts; theirs is ignored. Results of the last frame can no longer be read.
     void set_lines(const Assembly& parts);
 
-    /// Moves the objects (LineSet::objects; the whole model, if it has none): a matrix for each,
-    /// world from object as it was made. The next frame shows it; nothing is rebuilt. Which edges
-    /// are creases stays as it is; what is a silhouette does not, smooth or not: normals turn with
-    /// their objects, mirrored and stretched ones, too. Throws UsageError before set_lines(), for
-    /// another number of matrices, and for one that is not affine, not finite or singular; then all
-    /// is as it was.
+    /// Moves the objects (LineSet::objects; the whole model if it has none) by a matrix each, from
+    /// the place where the object was made to the world. The next frame shows the move; nothing is
+    /// rebuilt. Creases stay as they are. Silhouettes are found anew, smooth ones by normals that
+    /// turn with their objects, also with mirrored and stretched ones. Throws UsageError before
+    /// set_lines(), for another number of matrices, and for a matrix that is not affine, not finite
+    /// or singular; then nothing has changed.
     void set_transforms(std::span<const glm::mat4> world_from_object);
 
-    /// Changes the shape: puts vertices (LineSet::vertices) from `first` on at other positions,
-    /// in the coordinates of their objects. Lines stay what and where they are in the mesh; smooth
-    /// silhouettes go by normals of the triangles as they are then, even if the file had its own.
-    /// Throws UsageError for vertices that there are not, and positions that are not finite.
+    /// Changes the shape: moves the vertices (LineSet::vertices) from `first` on to other
+    /// positions, in the coordinates of their objects. Lines keep their kinds and their edges.
+    /// Smooth silhouettes follow the normals of the changed triangles, even if the file had its own
+    /// normals. Throws UsageError for vertices that do not exist, and for positions that are not
+    /// finite.
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
 
-    /// Shows all objects (as of set_transforms()) but these, by their numbers: the others' lines
-    /// are not drawn and hide nothing. The next frame shows it; nothing is rebuilt, and nothing
-    /// allocated after the first time. Throws UsageError before set_lines(), and for an object that
-    /// there is not; then all is as it was.
+    /// Hides these objects (of LineSet::objects, by number) and shows all others. A hidden object
+    /// has no lines and hides nothing. The next frame shows the change; nothing is rebuilt, and
+    /// after the first time no memory is allocated. Throws UsageError before set_lines(), and for
+    /// an object that does not exist; then nothing has changed.
     void set_hidden(std::span<const std::uint32_t> objects);
 
     /// Builds all kernels that frames with these options need, whatever the lines and the camera
     /// are, so that no draw() with these options builds any. May be called before set_lines().
     /// After set_lines() it also builds the forms that PoCL needs for 65,536 and more segments,
     /// vertices or triangles. Built kernels stay for all renderers of the process on that device
-    /// (docs/embedding.md); after set_device() others may be needed. Options that concern only the
-    /// picture have no effect. `progress` is asked before each kernel, in your GL state; what
-    /// was built until it said false stays built. Throws as draw() does for options that are wrong.
+    /// (docs/embedding.md). After set_device() other kernels may be needed. Options that concern
+    /// only the picture have no effect. `progress` is called before each kernel, in your GL state.
+    /// Kernels that were built before it returned false stay built. Throws as draw() does for wrong
+    /// options.
     void prepare(const FrameOptions& options, const Progress& progress = {});
 
     /// Draws a frame over the content of `framebuffer` (or `bound_framebuffer`) in the camera's
@@ -257,10 +263,10 @@ class LINEATLAS_API Renderer {
     int tile_size(glm::ivec2 size, const FrameOptions& options) const;
 
     /// Draws a picture that may be larger than any framebuffer, without seams: visibility is that
-    /// of the whole picture, and strokes run on over the borders of tiles. Rows of tiles come from
-    /// top to bottom. Only methods exact, and atlas in its compute form; `cull_hidden` and `steady`
-    /// are off. Throws Cancelled where TileTarget::progress says so, and can draw on after it;
-    /// UsageError as draw() does.
+    /// of the whole picture, and strokes continue over the borders of tiles. Rows of tiles come
+    /// from top to bottom. Takes only the method exact, and atlas in its compute form.
+    /// `cull_hidden` and `steady` have no effect. Throws Cancelled if TileTarget::progress returns
+    /// false; the renderer can still be used then. Throws UsageError as draw() does.
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
 
@@ -269,43 +275,44 @@ class LINEATLAS_API Renderer {
         std::vector<std::uint32_t> offsets; ///< first sample of each segment, then the total
         std::vector<std::uint8_t> alpha;    ///< per sample, 0 hidden to 255 visible
         std::vector<Run> runs;              ///< what was drawn
-        /// What density control leaves of lines, 0 to 1: for each priority (LA_DENSITY_BINS) the
-        /// picture's cells of LA_DENSITY_CELL pixels (larger ones above 8192 pixels a side) row by
-        /// row. Empty without it.
+        /// The share of lines that density control leaves, 0 to 1: for each priority
+        /// (LA_DENSITY_BINS) the picture's cells of LA_DENSITY_CELL pixels (larger above 8192
+        /// pixels a side), row by row. Empty without density control.
         std::vector<float> density{};
     };
-    /// The samples of the last frame: for tests and studies; waits for the device. With
-    /// `cull_hidden`, segments that are hidden whole have none, and where the style measures no
-    /// lengths they do not count in those of their paths (Run::start_arc). Throws UsageError unless
-    /// the last frame was one of method atlas or item_buffer.
+    /// The samples of the last frame, for tests and studies. Waits for the device. With
+    /// `cull_hidden`, segments that are hidden as a whole have no samples, and if the style
+    /// measures no lengths, they do not count in the arc lengths of their paths (Run::start_arc).
+    /// Throws UsageError unless the last frame was drawn by the method atlas or item_buffer.
     Samples read_samples();
 
-    /// The visible pieces of the lines of the last frame (`FrameOptions::intervals`; with `all` the
-    /// hidden ones too), in order of LineSet::segments and along each, with their ends between the
-    /// samples where the depth buffer has them. The same on every device up to rounding. Only these
-    /// come out of the device; waits for it. Throws UsageError if the last frame kept none.
+    /// The visible pieces of the lines of the last frame, and with KeptIntervals::all also the
+    /// hidden pieces, in order of LineSet::segments and along each segment. By the method atlas the
+    /// depth buffer gives their ends, between the samples. Results differ between devices only by
+    /// rounding. Waits for the device, and reads only the intervals from it. Throws UsageError if
+    /// the last frame kept no intervals (FrameOptions::intervals).
     std::vector<Interval> read_intervals();
 
     /// What the last frame shows at `position`, in pixels from the lower left corner of its
-    /// viewport: of its visible lines the nearest that is no farther than `radius` pixels, or else
-    /// the face there, or nothing. Found anew by cutting lines against faces, whatever the frame's
-    /// method: a program's own depth does not count, nor does what a style leaves out, and what has
-    /// moved since is where it is now. Throws
-    /// UsageError before the first frame of the lines, for a position that is not finite and for a
-    /// radius that is not from 0 to 1000.
+    /// viewport: the nearest visible line within `radius` pixels, or else the face there, or
+    /// nothing. Always found by the exact method, whatever the frame's method: a program's own
+    /// depth has no effect, lines that a style leaves out count, and objects that have moved since
+    /// are at their new places. Throws UsageError before the first frame of the lines, for a
+    /// position that is not finite, and for a radius that is not from 0 to 1000.
     std::optional<Pick> pick(glm::vec2 position, float radius);
-    /// The same of what a camera would show now, of lines of these kinds, without a frame. Throws
-    /// UsageError for a camera that draw() does not take.
+    /// The same for what a camera would show now, among lines of these kinds, without a frame.
+    /// Throws UsageError for a camera that draw() does not take.
     std::optional<Pick> pick(const Camera& camera, glm::vec2 position, float radius,
                              LineKindMask lines = all_line_kinds);
 
-    /// What of these intervals has the background on one side; only for a style whose pens have a
-    /// rule for outlines.
+    /// The parts of the intervals of the last frame that have the background on one side. Only for
+    /// a style whose pens have a rule for outlines.
     std::vector<OutlinePart> read_outlines();
 
     /// The profiles of frames drawn with `FrameOptions::profile` that were not taken yet, in order.
-    /// GL and the device tell the times of a frame while later ones are drawn; with `wait` this
-    /// waits for the last. Frames more than four behind are dropped, and counted.
+    /// GL and the device return the times of a frame while later frames are drawn. With `wait` the
+    /// call waits for the times of the last frame. Frames more than four behind are dropped, and
+    /// counted.
     std::vector<FrameProfile> take_profiles(bool wait = true);
 
   private:

@@ -86,7 +86,8 @@ struct SheetOptions {
     /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
     /// on the right of it, and the first view that shows the plane as a line has that line.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
-    /// What differs from the layout by the angle of projection; each view at most once.
+    /// Views that stand elsewhere than the angle of projection says, or have another scale; each
+    /// view at most once.
     std::vector<SheetPlacement> placements{};
     /// Details, each placed where there is room. Letters go on after those of sections.
     std::vector<SheetDetail> details{};
@@ -197,8 +198,8 @@ struct SeenLines {
     /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
     std::vector<VectorFill> fills{}; ///< of a style that fills: find_fills() finds them
-    /// Of a section, the lines of the model that was cut. Their owner is who found them; they live
-    /// until the next view is asked for.
+    /// For a section, the lines of the model that was cut. The function that found them owns them,
+    /// and keeps them until it is called for the next view.
     const LineSet* lines = nullptr;
     const Mesh* mesh = nullptr; ///< of a section, the model that was cut, as long-lived as `lines`
 };

@@ -31,10 +31,11 @@ enum class Cap {
 /// Values from the start to the end of a stroke, evenly spaced, at most 16; a single one: constant.
 using Profile = std::vector<float>;
 
-/// What a line is drawn with. Lengths are in pixels.
+/// The pen that draws a line. Lengths are in pixels.
 struct Pen {
     /// A built-in mark (solid, fine, pencil, charcoal, brush, dashed, dotted, chain) or an image
-    /// file: its darkness is coverage, u along the stroke at a constant rate, v across it.
+    /// file. The image lies along the stroke and repeats; its height is the stroke's width. Its
+    /// alpha is coverage, or its darkness if it has no alpha.
     std::string mark = "solid";
     float width = 2;          ///< above 0, at most 1000
     glm::vec3 color{0, 0, 0}; ///< RGB, 0 to 1
@@ -75,12 +76,12 @@ struct Paper {
 /// Style that varies with the distance from a focus (§6, Fig. 13). Between `radius` and `radius` +
 /// `falloff` everything goes smoothly from its own value to its value far away.
 struct Focus {
-    bool on = false;       ///< without one all is near
-    bool in_scene = false; ///< `point` is in the scene, else in the window
-    /// Scene: about the origin of the mesh (LoadedMesh::origin), as its positions. Window: shares
-    /// of its width and height from the lower left.
+    bool on = false;       ///< false: all is near
+    bool in_scene = false; ///< `point` is one of the model, else one of the window
+    /// Of the model: relative to the origin of the mesh (LoadedMesh::origin), as its positions are.
+    /// Of the window: shares of its width and height from the lower left.
     glm::dvec3 point{0.5, 0.5, 0};
-    /// Window: shares of its height; scene: of the model's diagonal; 0 to 1000.
+    /// Shares of the window's height, or of the model's diagonal; 0 to 1000.
     float radius = 0.2F;
     float falloff = 0.3F;     ///< the same
     float width = 0.5F;       ///< factor of the width far away, 0 to 100
@@ -93,11 +94,12 @@ struct Focus {
 /// The lines that a PenRule is for: those that meet all its conditions. An empty member is no
 /// condition.
 struct PenMatch {
-    /// Any of these: names of `line_kind_names`, or "outline": what of a visible line has the model
-    /// on one side and the background on the other; lines of files and of cuts are none.
+    /// Any of these: names of `line_kind_names`, or "outline". Outline is the part of a visible
+    /// line that has the model on one side and the background on the other. Lines of files and of
+    /// cuts are never outlines.
     std::vector<std::string> kinds{};
-    /// MeshGroup::object of a face beside the line, or a name in it as between slashes: "Bolt*"
-    /// fits "arm/Bolt 2" and what is in it. `*` stands for any letters, `?` for one.
+    /// MeshGroup::object of a face beside the line, or one name of that path: "Bolt*" fits
+    /// "arm/Bolt 2" and the parts in it. `*` stands for any letters, `?` for one.
     std::string object{};
     std::string material{}; ///< MeshGroup::material of the same face, as a whole
     bool hidden = false;    ///< hidden lines (Style::hidden); else visible ones
@@ -108,7 +110,7 @@ struct PenRule {
     PenMatch match{};                  ///< which lines it is for
     std::optional<std::string> mark{}; ///< Pen::mark
     std::optional<float> width{};      ///< Pen::width
-    /// Of the style's own width, in place of `width`; 0.01 to 100.
+    /// Factor of the style's own width, in place of `width`; 0.01 to 100.
     std::optional<float> width_factor{};
     std::optional<glm::vec3> color{};         ///< Pen::color
     std::optional<float> opacity{};           ///< Pen::opacity
@@ -121,9 +123,9 @@ struct PenRule {
     std::optional<Profile> opacity_profile{}; ///< Pen::opacity_profile
 };
 
-/// How a drawing looks. The keys of style files and the options of the tool have the names of these
-/// members; what each may be is the same for them and for a program (docs/styles.md). Any call that
-/// draws throws UsageError, before it draws, for a member that is something else.
+/// How a drawing looks. Keys of style files and options of the tool have the names of these
+/// members, and the same ranges (docs/styles.md). A call that draws throws UsageError, before it
+/// draws, for a member that is out of its range.
 struct Style {
     Pen pen{};           ///< of visible lines
     bool hidden = false; ///< draw hidden lines too, with their own pen, under the visible ones
@@ -131,20 +133,20 @@ struct Style {
     Pen hidden_pen{.mark = "dashed", .width = 1, .color = {0.45F, 0.45F, 0.45F}};
     StrokeFilter filter{}; ///< changes along the lines; lengths from 0 to 10000 pixels
     Density density{};     ///< what is left out where lines are dense; Density::limit 0 to 100
-    /// Kinds of line that it draws besides the usual ones: a LineKindMask. Of lines extracted
-    /// without them there is nothing to draw.
+    /// Kinds of line that the style draws besides the usual ones: a LineKindMask. They must have
+    /// been extracted (LineOptions::lines).
     std::uint32_t more_lines = 0;
-    /// Pixels that centre lines are longer at either end than what they are the axis of, 0 to
-    /// 10000: 3 mm on paper.
+    /// Pixels by which centre lines reach beyond their surface at either end, 0 to 10000; the
+    /// default is 3 mm on paper.
     float centre_overhang = 11.34F;
-    /// Pixels of hidden line per pixel at most, where `hidden` draws them, by the priorities of
-    /// `density`; 0: any, 100 at most.
+    /// The most pixels of hidden line per pixel of the picture, 0 to 100, by the priorities of
+    /// `density`; 0: no limit.
     float hidden_density = 0;
     Fill fill{};   ///< under the lines
     Paper paper{}; ///< what is drawn on
     Focus focus{}; ///< what stands out
-    /// Every rule that is for a line changes its pen, in this order: `pen`, and of hidden lines
-    /// `hidden_pen`.
+    /// Rules that change pens, in this order: every rule that matches a line changes `pen`, or
+    /// `hidden_pen` if the line is hidden.
     std::vector<PenRule> pens{};
     /// Shorter side, in pixels, of the picture that the lengths are meant for, 1 to 65536. In a
     /// larger picture lengths grow in proportion; in a smaller one they stay the same. 0: lengths

@@ -90,7 +90,8 @@ struct VectorPath {
     bool visible = true;              ///< visible all along; else hidden all along
     bool closed = false;              ///< the last point is where the first one is
     bool outline = false;             ///< has the background beside it all along
-    /// Left out where lines are dense (Style::density): files have it where it is not shown.
+    /// Left out where lines are dense (Style::density): files have the path on a layer that is not
+    /// shown.
     bool thinned = false;
     std::uint32_t pen = 0;           ///< index into VectorDrawing::pens, or hidden_pens
     float alpha = 1;                 ///< mean visibility
@@ -112,7 +113,7 @@ struct PenTravel {
     std::size_t paths_after = 0;  ///< number of paths after that
 };
 
-/// What is seen of one part in one colour: an area of the picture.
+/// An area of the picture: what is seen of one part in one colour.
 struct VectorFill {
     std::string object; ///< MeshGroup::object of the part; empty where it has no name
     glm::vec3 color{0}; ///< RGB, 0 to 1, in steps of 1/255 as pictures have them

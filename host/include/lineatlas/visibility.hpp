@@ -69,7 +69,8 @@ class LINEATLAS_API LineVisibility {
     void set_transforms(std::span<const glm::mat4> world_from_object);
     /// Changes shapes as Renderer::set_positions() does, and throws as it does.
     void set_positions(std::uint32_t first, std::span<const glm::vec3> positions);
-    /// Shows all objects but these as Renderer::set_hidden() does, and throws as it does.
+    /// Hides these objects and shows all others, as Renderer::set_hidden() does, and throws as it
+    /// does.
     void set_hidden(std::span<const std::uint32_t> objects);
 
     /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along

@@ -40,7 +40,7 @@ class Application final : private InputListener {
     void step(double longest_wait);
     /// Frames of the window that were shown.
     std::uint64_t frames_shown() const { return frames_shown_; }
-    /// What the window shows.
+    /// The pixels that the window shows.
     Image screenshot() const;
 
   private:
