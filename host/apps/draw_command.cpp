@@ -13,6 +13,7 @@
 #include "command_line/values.hpp"
 #include "compute/kernels.hpp"
 #include "core/line_pens.hpp"
+#include "core/progress.hpp"
 #include "core/style_lengths.hpp"
 #include "description.hpp"
 #include "draw_sheet.hpp"
@@ -34,6 +35,7 @@
 #include "output/vector_output.hpp"
 #include "output_pattern.hpp"
 #include "output_places.hpp"
+#include "progress.hpp"
 #include "subject.hpp"
 #include "vector/sheet.hpp"
 
@@ -132,7 +134,9 @@ struct Measuring {
     std::function<FrameStats(const Camera&, const FrameOptions&)> draw;
 };
 
-void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measuring = nullptr) {
+/// `stage`: says that a single picture is being drawn; nullptr: nothing does.
+void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measuring = nullptr,
+                 StageLine* stage = nullptr) {
     const DrawArguments& arguments = drawing.arguments;
     EmptyFrames output{to, drawing.subject.lines,
                        drawn_kinds(drawing.options.lines, drawing.options.style)};
@@ -155,6 +159,7 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
     output.draw(camera, arguments.output);
     output.finish();
+    if (stage != nullptr) stage->clear();
     say_if_empty();
     if (measuring == nullptr) return;
     Renderer& renderer = measuring->renderer;
@@ -205,8 +210,9 @@ void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writ
     draw_frames(drawing, output, &measuring);
 }
 
-/// Draws paths from the intervals that `find` returns.
-void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* measuring) {
+/// Draws paths from the intervals that `find` returns. `stage`: that of draw_frames().
+void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* measuring,
+                StageLine* stage = nullptr) {
     const PathOptions& paths = drawing.arguments.paths;
     const Subject& subject = drawing.subject;
     SvgOptions svg = paths.svg();
@@ -225,7 +231,7 @@ void draw_paths(const Drawing& drawing, const FindLines& find, const Measuring* 
         };
     }
     VectorOutput output{std::move(frame), subject.lines, find};
-    draw_frames(drawing, output, measuring);
+    draw_frames(drawing, output, measuring, stage);
 }
 
 /// Under the lines; a plotter draws none.
@@ -267,7 +273,13 @@ void say(const std::string& note) {
     if (!note.empty()) print_error(fmt::format("lineatlas: {}\n", note));
 }
 
+/// The share of finding what is visible in the drawing of a picture; the rest makes paths of it.
+constexpr float share_of_finding = 0.6F;
+
 void draw_without_gl(const Drawing& drawing) {
+    std::optional<StageLine> stage;
+    if (!drawing.frames) stage.emplace("drawing");
+    const lineatlas::Progress progress = stage ? stage->progress() : lineatlas::Progress{};
     DeviceOptions device = drawing.arguments.device;
     device.one_picture = !drawing.frames;
     LineVisibility visibility{drawing.subject.lines, device};
@@ -278,10 +290,11 @@ void draw_without_gl(const Drawing& drawing) {
     const auto find = [&](const Camera& camera) -> SeenLines {
         wanted.outline_depth = outline_depth(drawing.options.style, camera.size);
         wanted.centre_overhang = centre_overhang(drawing.options.style, camera.size);
-        std::vector<Interval> intervals = visibility.find(camera, wanted);
+        std::vector<Interval> intervals =
+            visibility.find(camera, wanted, part_of(progress, 0, share_of_finding));
         return {std::move(intervals), visibility.outlines(), fills_of(drawing, camera)};
     };
-    draw_paths(drawing, find, nullptr);
+    draw_paths(drawing, find, nullptr, stage ? &*stage : nullptr);
 }
 
 /// Takes settings of a session that the command line does not give. Throws Error.

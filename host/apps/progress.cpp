@@ -1,6 +1,7 @@
 #include "progress.hpp"
 
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,6 +12,8 @@ namespace lineatlas::apps {
 namespace {
 
 constexpr std::chrono::seconds between_lines{10}; // in a log, where every line stays
+
+constexpr std::chrono::milliseconds between_bars{100}; // on a terminal
 
 std::string duration(double seconds) {
     const auto whole = static_cast<long>(seconds + 0.5);
@@ -40,6 +43,44 @@ void Progress::show(std::size_t done) {
 }
 
 void Progress::clear() {
+    if (terminal_) clear_error_line();
+}
+
+StageLine::StageLine(std::string stage)
+    : stage_(std::move(stage)), terminal_(isatty(STDERR_FILENO) != 0) {
+    if (terminal_) print_error("lineatlas: " + stage_);
+}
+
+lineatlas::Progress StageLine::progress() {
+    if (!terminal_) return {};
+    return [this](float done) {
+        const Clock::time_point now = Clock::now();
+        if (static_cast<double>(done) > done_) {
+            done_ = static_cast<double>(done);
+            risen_ = now;
+        }
+        if (now - said_ >= between_bars && done_ > 0) show(now);
+        return true;
+    };
+}
+
+double StageLine::left(Clock::time_point now) const {
+    const double until = std::chrono::duration<double>(risen_ - start_).count();
+    const double since = std::chrono::duration<double>(now - risen_).count();
+    return until * (1 - done_) / done_ - since;
+}
+
+void StageLine::show(Clock::time_point now) {
+    constexpr std::size_t width = 20;
+    said_ = now;
+    const std::string full(static_cast<std::size_t>(width * done_), '#');
+    const double seconds = left(now);
+    clear_error_line();
+    print_error(fmt::format("lineatlas: {} [{:-<{}}] {:.0f} %{}", stage_, full, width, 100 * done_,
+                            seconds >= 0.5 ? fmt::format(", {} left", duration(seconds)) : ""));
+}
+
+void StageLine::clear() {
     if (terminal_) clear_error_line();
 }
 

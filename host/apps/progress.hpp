@@ -3,6 +3,8 @@
 #include <chrono>
 #include <string>
 
+#include "lineatlas/progress.hpp"
+
 namespace lineatlas::apps {
 
 /// Prints the progress of a sequence on standard error: on a terminal one line that every frame
@@ -28,6 +30,36 @@ class Progress {
     bool terminal_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point said_ = start_;
+};
+
+/// Says on a terminal which stage of the work a program is at, how much of the stage is done and
+/// how long the rest takes. Elsewhere nothing is said.
+class StageLine {
+  public:
+    /// Says the stage, in a word or two. More is said by progress().
+    explicit StageLine(std::string stage);
+    ~StageLine() { clear(); }
+    StageLine(const StageLine&) = delete;
+    StageLine& operator=(const StageLine&) = delete;
+
+    /// For the call that is the stage; this object must outlive it. Empty if nothing is said.
+    lineatlas::Progress progress();
+    /// Removes the line, so that something else can be printed.
+    void clear();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void show(Clock::time_point now);
+    /// Seconds. Calls tell the same share for a while, in which time goes on.
+    double left(Clock::time_point now) const;
+
+    std::string stage_;
+    bool terminal_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point said_ = start_;
+    Clock::time_point risen_ = start_; ///< when the share has risen to `done_`
+    double done_ = 0;
 };
 
 } // namespace lineatlas::apps

@@ -20,6 +20,7 @@
 #include "lineatlas/scenes.hpp"
 #include "model_info.hpp"
 #include "output/vector_output.hpp"
+#include "progress.hpp"
 #include "style/frame_settings.hpp"
 #include "vector/sheet.hpp"
 
@@ -105,7 +106,20 @@ double pixels_of_diagonal(const ViewOptions& view, glm::ivec2 size) {
     return room * std::max(whole, nearest * std::min(size.x, size.y));
 }
 
+LineSet find_lines(const Mesh& mesh, const LineOptions& options) {
+    StageLine line{"finding lines"};
+    return extract_lines(mesh, options, line.progress());
+}
+
 /// `deflection`: that of exact surfaces; 0: by the size of the picture.
+LoadedMesh read_models(const DrawArguments& arguments, glm::ivec2 size, double deflection) {
+    const StageLine line{"reading " + arguments.models.front().filename().string()};
+    return load_models_isolated(
+        arguments.models, arguments.read.limits(),
+        {.deflection = deflection, .pixels = pixels_of_diagonal(arguments.view, size)});
+}
+
+/// `deflection`: as in read_models().
 Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::ivec2 size,
                      double deflection) {
     const LineOptions options{.lines = kinds,
@@ -123,7 +137,7 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 ? arguments.view.framed(scene.mesh.positions, size, arguments.view.up({0, 1, 0}))
                 : scene.view(arguments.at);
         std::vector<std::string> sections = cut(arguments, scene.mesh, {}, whole, notes);
-        LineSet lines = extract_lines(scene.mesh, options);
+        LineSet lines = find_lines(scene.mesh, options);
         const bool framed = arguments.view.says_direction() || arguments.view.to_scale();
         const glm::vec3 up = arguments.view.up({0, 1, 0});
         const View view =
@@ -149,16 +163,14 @@ Subject load_subject(const DrawArguments& arguments, LineKindMask kinds, glm::iv
                 .summary = std::move(summary),
                 .items = std::move(items)};
     }
-    LoadedMesh loaded = load_models_isolated(
-        arguments.models, arguments.read.limits(),
-        {.deflection = deflection, .pixels = pixels_of_diagonal(arguments.view, size)});
+    LoadedMesh loaded = read_models(arguments, size, deflection);
     arguments.parts.apply(loaded);
     const glm::vec3 up = up_of(arguments, loaded.mesh, loaded.up, loaded.notes);
     arguments.explode.apply(loaded);
     std::vector<std::string> sections =
         cut(arguments, loaded.mesh, loaded.origin,
             arguments.view.framed(loaded.mesh.positions, size, up), loaded.notes);
-    LineSet lines = extract_lines(loaded.mesh, options);
+    LineSet lines = find_lines(loaded.mesh, options);
     nlohmann::ordered_json summary;
     std::vector<std::uint32_t> items;
     if (arguments.sheet.wants_summary(arguments.view)) {

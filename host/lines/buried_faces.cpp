@@ -30,8 +30,9 @@ bool lies_within(const Bounds& inner, const Bounds& outer) {
 class BuriedFaces {
   public:
     BuriedFaces(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
-                const std::vector<glm::dvec3>& normals, const MeshParts& parts, double diagonal)
-        : mesh_(mesh), normals_(normals), parts_(parts),
+                const std::vector<glm::dvec3>& normals, const MeshParts& parts, double diagonal,
+                const std::vector<bool>& left_out)
+        : mesh_(mesh), normals_(normals), parts_(parts), left_out_(left_out),
           contact_(contact_of(diagonal, mesh.precision)), boxes_(parts.count),
           is_buried_(mesh.triangles.size(), false) {
         sort_triangles();
@@ -100,10 +101,15 @@ class BuriedFaces {
                    });
         });
         for (std::uint32_t part = first; part < end; ++part) {
-            if (!reaches_into_enough(part, closed)) continue;
+            if (is_left_out(part) || !reaches_into_enough(part, closed)) continue;
             for (const std::uint32_t t : triangles_of(part))
                 is_buried_[t] = is_buried(t, part, closed, cavities);
         }
+    }
+
+    bool is_left_out(std::uint32_t part) const {
+        return !left_out_.empty() && !triangles_of(part).empty() &&
+               left_out_[triangles_of(part).front()];
     }
 
     template <class Is>
@@ -222,6 +228,7 @@ class BuriedFaces {
     const WeldedMesh& mesh_;
     const std::vector<glm::dvec3>& normals_;
     const MeshParts& parts_;
+    const std::vector<bool>& left_out_;            ///< triangles; may be empty
     double contact_;                               ///< points no farther away than this touch
     std::vector<Bounds> boxes_;                    ///< of parts
     std::vector<std::uint32_t> first_, triangles_; ///< of parts: where theirs begin
@@ -235,8 +242,8 @@ class BuriedFaces {
 
 std::vector<bool> buried_faces(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                                const std::vector<glm::dvec3>& normals, const MeshParts& parts,
-                               double diagonal) {
-    return BuriedFaces{mesh, edges, normals, parts, diagonal}.run();
+                               double diagonal, const std::vector<bool>& left_out) {
+    return BuriedFaces{mesh, edges, normals, parts, diagonal, left_out}.run();
 }
 
 } // namespace lineatlas

@@ -15,8 +15,9 @@ namespace lineatlas {
 /// other closed parts of its object, and if its own part reaches out of both. A part that lies as a
 /// whole inside another one may stand in a room, and a triangle in a cavity of a part is visible
 /// from the cavity. Such parts bury nothing. If rounding would decide, the triangle is not buried.
+/// `left_out`: triangles of whole parts that are not looked at; may be empty.
 std::vector<bool> buried_faces(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                                const std::vector<glm::dvec3>& normals, const MeshParts& parts,
-                               double diagonal);
+                               double diagonal, const std::vector<bool>& left_out = {});
 
 } // namespace lineatlas

@@ -18,6 +18,7 @@
 #include "buried_faces.hpp"
 #include "centre_lines.hpp"
 #include "contours.hpp"
+#include "core/contact.hpp"
 #include "core/host_clock.hpp"
 #include "core/pair_key.hpp"
 #include "core/progress.hpp"
@@ -26,6 +27,7 @@
 #include "edges.hpp"
 #include "flat_creases.hpp"
 #include "intersections.hpp"
+#include "islands.hpp"
 #include "known_edges.hpp"
 #include "line_set_builder.hpp"
 #include "lineatlas/error.hpp"
@@ -108,6 +110,10 @@ double milliseconds_since(std::int64_t start) {
 /// An edge that bends more is drawn as a crease, and not as the ridge that runs along it.
 constexpr double sharp_crease = std::numbers::pi / 3;
 
+/// How far apart parts of one island may lie, as a share of the model's diagonal: farther than what
+/// lies between parts reaches. The farthest are lines that double an intersection.
+constexpr double island_reach = 1.25e-3;
+
 enum class ListOfLines : std::uint8_t { fixed, candidates, replaced };
 
 /// From a mesh to its lines, step by step.
@@ -133,6 +139,7 @@ class Extraction {
         reach(0.2F);
         // Parts of either that run on one thread run beside the other.
         do_both([&] { classify_edges(); }, [&] { find_tree(); });
+        if (islands_ && islands_->tell_apart(kinds_)) grow_trees(islands_->copied_triangles());
         reach(0.5F);
         leave_out_seams();
         reach(0.7F);
@@ -242,16 +249,30 @@ class Extraction {
         has_parts_ = parts_.count > 1;
         if (!has_parts_ && std::ranges::find(is_open_, true) == is_open_.end()) return;
         object_of_triangle_ = objects_of(welded_);
-        trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_);
+        material_ = materials_of(mesh_.groups, welded_, object_of_triangle_);
+        find_islands();
+        grow_trees(islands_ ? islands_->copied_triangles() : std::vector<bool>{});
+    }
+
+    void find_islands() {
+        if (!has_parts_) return;
+        const double diagonal = diagonal_of(welded_.vertices);
+        const double reach =
+            std::max(island_reach * diagonal, 2 * contact_of(diagonal, welded_.precision));
+        islands_.emplace(welded_, edges_, parts_, material_, object_of_triangle_, reach);
+        if (!islands_->has_copies()) islands_.reset();
+    }
+
+    /// `left_out`: triangles; may be empty.
+    void grow_trees(const std::vector<bool>& left_out) {
+        trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_, left_out);
     }
 
     void leave_out_seams() {
         if (!trees_ || options_.crease) return; // with a crease angle every edge counts
         const std::int64_t start = host_nanoseconds();
-        const std::vector<std::uint32_t> material =
-            materials_of(mesh_.groups, welded_, object_of_triangle_);
-        std::vector<std::uint32_t> body = material, closed_part;
-        const auto above = material.empty() ? 0U : *std::ranges::max_element(material) + 1;
+        std::vector<std::uint32_t> body = material_, closed_part;
+        const auto above = material_.empty() ? 0U : *std::ranges::max_element(material_) + 1;
         closed_part.reserve(body.size());
         for (std::size_t i = 0; i < body.size(); ++i) {
             const std::uint32_t part = parts_.of_vertex[welded_.triangles[i].x];
@@ -261,7 +282,9 @@ class Extraction {
             closed_part.push_back(is_open_[part] ? BoxTree::nobody : part);
         }
         seams_ = find_seams(welded_, edges_, normals_, kinds_, *trees_,
-                            {.material = material, .body = body, .closed_part = closed_part});
+                            {.material = material_, .body = body, .closed_part = closed_part},
+                            islands_ ? islands_->copied_edges() : std::vector<bool>{});
+        if (islands_) islands_->add_copies(seams_);
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             if (seams_.of_edge[i]) kinds_[i].reset();
             left_out_.seams += seams_.of_edge[i] ? 1 : 0;
@@ -430,10 +453,15 @@ class Extraction {
     void leave_out_buried() {
         if (!has_intersections()) return;
         const std::int64_t start = host_nanoseconds();
-        const std::vector<bool> buried =
-            buried_faces(welded_, edges_, normals_, parts_, diagonal_of(welded_.vertices));
-        if (std::ranges::find(buried, true) != buried.end())
-            trees_.emplace(welded_, normals_, parts_.of_vertex, object_of_triangle_, buried);
+        std::vector<bool> left_out = islands_ ? islands_->copied_triangles() : std::vector<bool>{};
+        const std::vector<bool> buried = buried_faces(welded_, edges_, normals_, parts_,
+                                                      diagonal_of(welded_.vertices), left_out);
+        if (std::ranges::find(buried, true) != buried.end()) {
+            left_out.resize(buried.size(), false);
+            for (std::size_t i = 0; i < buried.size(); ++i)
+                if (buried[i]) left_out[i] = true;
+            grow_trees(left_out);
+        }
         times_.intersections = milliseconds_since(start);
     }
 
@@ -443,6 +471,7 @@ class Extraction {
         std::vector<std::vector<DrawnLine>> result(ends.size());
         for (const Line& line : fixed_) {
             if (line.p >= ends.back() || line.q >= ends.back()) continue; // a seam's
+            if (islands_ && islands_->is_copy(line.p)) continue;
             const auto object = std::ranges::upper_bound(ends, line.p) - ends.begin();
             result[object].push_back({line.p, line.q});
         }
@@ -461,6 +490,7 @@ class Extraction {
             drop_doubled(welded_, normals_, drawn[object], diagonal, own);
             found.insert(found.end(), own.begin(), own.end());
         }
+        if (islands_) islands_->add_copies(found);
         std::ranges::sort(found, {}, [](const Intersection& one) {
             return std::pair{one.face_a, one.face_b};
         });
@@ -587,8 +617,9 @@ class Extraction {
     /// Frees the tables by which lines were found, which take twice the memory of the lines.
     void forget_edges() {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
+        islands_.reset();
         empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,
-              seams_, undesigned_, ridges_);
+              material_, seams_, undesigned_, ridges_);
     }
 
     LineSet assemble() {
@@ -650,6 +681,8 @@ class Extraction {
     bool has_parts_ = false;
     std::optional<TriangleTrees> trees_;
     std::vector<std::uint32_t> object_of_triangle_;
+    std::vector<std::uint32_t> material_; ///< of triangles: materials_of()
+    std::optional<Islands> islands_;      ///< if some are copies
     Seams seams_;
     std::vector<std::uint32_t> undesigned_; ///< triangles
     std::vector<Ridge> ridges_;

@@ -205,7 +205,7 @@ constexpr std::size_t edges_of_piece = 1024;
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
                  std::span<const std::optional<LineKind>> kinds, const TriangleTrees& trees,
-                 const SeamSurfaces& surfaces) {
+                 const SeamSurfaces& surfaces, const std::vector<bool>& left_out) {
     const SeamFinder all{mesh, normals, trees, surfaces};
     const auto find = [&](std::size_t first, std::size_t end) {
         SeamFinder finder = all;
@@ -213,6 +213,7 @@ Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
         for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
             const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;
             if (!is_boundary && kinds[i] != LineKind::crease) continue;
+            if (!left_out.empty() && left_out[i]) continue;
             const Spans spans =
                 is_boundary ? finder.of_boundary(edges[i]) : finder.of_crease(edges[i]);
             if (spans.empty()) continue;

@@ -39,10 +39,11 @@ struct SeamSurfaces {
 /// Finds the boundaries and creases (`kinds`) that are seams. A boundary is a seam where, just
 /// beyond it, a face of the same material goes on in the same plane. A crease is a seam where one
 /// of its faces goes on, and the other goes on too or has another face over it. `trees`: one per
-/// object, because seams are within objects.
+/// object, because seams are within objects. `left_out`: edges that are not looked at; may be
+/// empty.
 Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                  const std::vector<glm::dvec3>& normals,
                  std::span<const std::optional<LineKind>> kinds, const TriangleTrees& trees,
-                 const SeamSurfaces& surfaces);
+                 const SeamSurfaces& surfaces, const std::vector<bool>& left_out = {});
 
 } // namespace lineatlas

@@ -1,6 +1,10 @@
 // Standard output and error that are full, closed or read by nobody. The picture is drawn. If
 // requested output could not be written, the tool fails.
 #include <csignal>
+#include <cstdlib>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "tool.hpp"
 
@@ -20,6 +24,51 @@ class Streams : public Tool {
     }
     static int exit_code(const std::string& command) { return shell(command).exit_code; }
 };
+
+/// A terminal that nobody looks at.
+class Terminal {
+  public:
+    Terminal() : own_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+        EXPECT_EQ(::grantpt(own_), 0);
+        EXPECT_EQ(::unlockpt(own_), 0);
+        // Open, so that what a program has written stays when it ends.
+        other_ = ::open(name().c_str(), O_RDWR | O_NOCTTY);
+        EXPECT_GE(other_, 0);
+    }
+    ~Terminal() {
+        ::close(other_);
+        ::close(own_);
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+
+    std::string name() const { return ::ptsname(own_); }
+    /// All that was written so far.
+    std::string text() const {
+        std::string text(65536, ' ');
+        const ssize_t count = ::read(own_, text.data(), text.size());
+        text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+        return text;
+    }
+
+  private:
+    int own_, other_ = -1;
+};
+
+TEST_F(Streams, ATerminalShowsTheStageAndIsLeftClean) {
+    const Terminal terminal;
+    const std::string command = tool + " draw --scene clevis --size 64x48 -o " + path("x.svg");
+    ASSERT_EQ(exit_code(command + " 2>" + terminal.name()), 0);
+    const std::string text = terminal.text();
+    const std::size_t finding = text.find("lineatlas: finding lines");
+    const std::size_t drawing = text.find("lineatlas: drawing");
+    EXPECT_NE(finding, std::string::npos) << text;
+    EXPECT_NE(drawing, std::string::npos) << text;
+    EXPECT_LT(finding, drawing);
+    const std::string cleared = "\r\x1b[K";
+    EXPECT_NE(text.find(cleared, drawing), std::string::npos) << text;
+    EXPECT_EQ(shell(command + " 2>&1").output, "") << "no terminal";
+}
 
 TEST_F(Streams, ErrorsThatNobodyTakesChangeNothing) {
     for (const char* nowhere : {"2>/dev/full", "2>&-", "2>&3"}) {

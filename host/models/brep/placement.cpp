@@ -108,6 +108,16 @@ class Placement {
         return entry->second;
     }
 
+    /// The colours of a shape's faces. Open CASCADE searches the document for each of them, so this
+    /// is done once for all instances.
+    const std::vector<std::optional<glm::vec3>>& colors_of(std::uint32_t shape,
+                                                           const ShapeMesh& mesh) {
+        const auto [known, fresh] = colors_.try_emplace(shape, mesh.faces.size());
+        for (std::size_t face = 0; fresh && assembly_.colors && face < mesh.faces.size(); ++face)
+            known->second[face] = assembly_.colors->color(mesh.faces[face]);
+        return known->second;
+    }
+
     std::uint32_t entity_of(const TopoDS_Shape& shape) const {
         const std::uint32_t* const found =
             assembly_.entities.Seek(shape.Located(TopLoc_Location()));
@@ -152,11 +162,8 @@ class Placement {
         }
         const std::string path = path_of(instance.part);
         std::vector<std::uint32_t> group_of_face;
-        for (const TopoDS_Shape& face : mesh.faces) {
-            std::optional<glm::vec3> color;
-            if (assembly_.colors) color = assembly_.colors->color(face);
+        for (const std::optional<glm::vec3>& color : colors_of(shape, mesh))
             group_of_face.push_back(group_of(path, instance.part, color ? color : instance.color));
-        }
         const std::vector<std::uint32_t> surface_of_face = add_surfaces(mesh, shape, transform);
         const bool mirrored = transform.IsNegative();
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -197,6 +204,7 @@ class Placement {
         meshes_;
     std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> groups_;
     std::map<std::string, std::size_t> failed_;
+    std::map<std::uint32_t, std::vector<std::optional<glm::vec3>>> colors_; ///< by mesh_of()
     /// First shapes of meshes, by their numbers.
     std::map<std::uint32_t, std::uint32_t> first_shapes_;
     std::uint32_t objects_ = 0, edges_ = 0;

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "edges.hpp"
+#include "intersections.hpp"
+#include "lineatlas/lines.hpp"
+#include "parts.hpp"
+#include "seams.hpp"
+#include "weld.hpp"
+
+namespace lineatlas {
+
+/// Things with numbers, such as triangles, by the island that they are of. Those of an island
+/// ascend.
+class OfIslands {
+  public:
+    OfIslands() = default;
+    /// `island`: that of each thing.
+    OfIslands(std::size_t islands, const std::vector<std::uint32_t>& island);
+
+    std::span<const std::uint32_t> operator[](std::size_t island) const {
+        return std::span{things_}.subspan(first_[island], first_[island + 1] - first_[island]);
+    }
+    /// The place of a thing among those of its island.
+    std::uint32_t place(std::uint32_t thing) const { return places_[thing]; }
+
+  private:
+    std::vector<std::uint32_t> first_, things_, places_;
+};
+
+/// Islands of a model: parts that may touch, and no others. Nothing that is found between parts
+/// (seams, intersections, what is buried) lies between two islands. So it is found once for islands
+/// that are copies of each other, such as the machines of a hall.
+///
+/// An island is a copy of an earlier one if it has the same triangles and edges in the same order,
+/// its corners are those of the other one in another place, within what floats round, and the same
+/// triangles are of one material. It may be turned, but not mirrored or scaled. Islands with
+/// polylines are no copies.
+class Islands {
+  public:
+    /// `materials`, `objects`: of triangles; `objects` may be empty. `reach`: parts whose boxes are
+    /// no farther apart are of one island. `mesh` and `edges` must outlive this object.
+    Islands(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts,
+            std::span<const std::uint32_t> materials, std::span<const std::uint32_t> objects,
+            double reach);
+
+    bool has_copies() const { return !copies_.empty(); }
+
+    /// Copies whose edges are of other kinds than those of their originals are none any longer.
+    /// Returns whether there were such.
+    bool tell_apart(std::span<const std::optional<LineKind>> kinds);
+
+    bool is_copy(std::uint32_t vertex) const {
+        return has_copies() && is_copy_[island_of_vertex_[vertex]];
+    }
+    /// Per triangle, per edge whether it is of a copy. Empty if there are no copies.
+    std::vector<bool> copied_triangles() const;
+    std::vector<bool> copied_edges() const;
+
+    /// Adds to what was found at originals what is at their copies.
+    void add_copies(Seams& seams) const;
+    void add_copies(std::vector<Intersection>& intersections) const;
+
+  private:
+    /// An island, and the one that it is a copy of.
+    struct Copy {
+        std::uint32_t original, island;
+    };
+    struct Size {
+        std::uint32_t vertices = 0, triangles = 0, edges = 0;
+        auto operator<=>(const Size&) const = default;
+    };
+    /// Four vertices that lie far from each other, by their places.
+    using Corners = std::array<std::uint32_t, 4>;
+
+    std::uint32_t find_islands(const MeshParts& parts, double reach);
+    std::vector<Size> sizes(std::uint32_t count) const;
+    void list_things(std::uint32_t count);
+    void find_copies(std::vector<std::uint32_t> alike);
+    bool are_same(std::uint32_t original, std::uint32_t island) const;
+    bool have_same_triangles(std::uint32_t original, std::uint32_t island) const;
+    bool have_same_edges(std::uint32_t original, std::uint32_t island) const;
+    bool have_same_owners(std::span<const std::uint32_t> owners, std::uint32_t original,
+                          std::uint32_t island) const;
+    Corners far_corners(std::uint32_t island) const;
+    bool have_same_shape(const Corners& corners, std::uint32_t original,
+                         std::uint32_t island) const;
+    glm::dvec3 at(std::uint32_t island, std::uint32_t place) const {
+        return mesh_.vertices[vertices_[island][place]];
+    }
+    double volume(std::uint32_t island, const Corners& corners) const;
+    void mark_copies();
+    Intersection in_copy(const Intersection& one, std::uint32_t island) const;
+    EdgePlace in_copy(const EdgePlace& place, std::uint32_t island) const;
+
+    const WeldedMesh& mesh_;
+    const std::vector<MeshEdge>& mesh_edges_;
+    std::span<const std::uint32_t> materials_, objects_;
+    double rounding_ = 0; ///< of a distance between two vertices
+    std::vector<std::uint32_t> island_of_vertex_;
+    OfIslands vertices_, triangles_, edges_;
+    std::vector<Copy> copies_; ///< by island, ascending
+    std::vector<bool> is_copy_;
+};
+
+} // namespace lineatlas
