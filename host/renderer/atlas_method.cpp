@@ -270,6 +270,7 @@ void AtlasMethod::find(Frame& frame) {
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
+    depth_.device_is_done(); // the number of runs was waited for
     alpha_.set_size(strokes_.sample_total());
     if (finds_outlines_ && keeps_intervals_)
         intervals_.add_outlines(frame, outlines_.found(), order());

@@ -71,7 +71,10 @@ TEST_F(Discrete, AFrameByKernelsHandsOverItsPictureAlone) {
     const BusCounts counts = draw(options).counts;
     EXPECT_GT(counts.launches, 10U);
     EXPECT_LE(counts.launches, 60U);
-    EXPECT_LE(counts.waits, 4U) << "for silhouettes, for runs and their tiles, for strokes";
+    // The number of silhouettes sizes the tables and launches that follow. The number of runs in
+    // tiles says whether tables are too small; if they are, stages run again before anything is
+    // drawn. The last wait is for the strokes.
+    EXPECT_LE(counts.waits, 3U);
     EXPECT_GT(counts.bytes, 100'000U) << "strokes cross";
     EXPECT_LE(counts.bytes, 1U << 20U);
 }
