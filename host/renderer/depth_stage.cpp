@@ -37,7 +37,6 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), surfaces_(connection),
-      kernels_are_faster_(kernels_are_faster(device_.tuning())),
       depth_(*connection.sharing, compute::table::depth_texels),
       tiles_(*connection.sharing, compute::table::pyramid) {}
 
@@ -117,7 +116,7 @@ void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRect
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
-    return wants_depth_kernels(frame.options, kernels_are_faster_);
+    return wants_depth_kernels(frame.options, frame.automatic);
 }
 
 compute::Buffer& DepthStage::blank_tiles() {

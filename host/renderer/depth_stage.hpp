@@ -120,8 +120,7 @@ class DepthStage {
     SurfaceStage surfaces_;
     std::optional<gl::ImportDepthPass> import_; ///< made when first used
     bool imported_ = false;                     ///< the current frame's depth is the program's own
-    const bool kernels_are_faster_;
-    bool by_kernels_ = false; ///< the current frame's form
+    bool by_kernels_ = false;                   ///< the current frame's form
     bool drawn_is_known_ = true;
     enum class Copy { none, begun, done };
     Copy copy_of_seen_ = Copy::none;    ///< to appeared_, of what kernels have drawn
