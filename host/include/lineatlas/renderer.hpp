@@ -43,7 +43,7 @@ enum class Method {
 
 /// Where a stage that has two forms runs.
 enum class StageForm {
-    automatic, ///< where it is known to be faster
+    automatic, ///< where the stage and what must be copied for it take less time (docs/devices.md)
     raster,    ///< in a pass of GL
     compute,   ///< in kernels
 };
@@ -51,14 +51,12 @@ enum class StageForm {
 /// The forms of stages, for measurements and for finding faults. All but `automatic` may be slower;
 /// the picture is the same but for rounding.
 struct StageForms {
-    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples; `automatic`:
-    /// compute, or raster where GL has a GPU and kernels have none.
+    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples.
     StageForm atlas = StageForm::automatic;
     /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
-    /// Methods atlas and spine, exact for its fill. `automatic`: compute beside a software GL where
-    /// kernels run on the CPU too, else raster.
+    /// Methods atlas and spine, exact for its fill.
     StageForm depth = StageForm::automatic;
-    /// Strokes (§4.4); `automatic` as for depth. Kernels draw marks that are even across the stroke
+    /// Strokes (§4.4). Kernels draw marks that are even across the stroke
     /// (solid, dashed) with butt and round caps and joins without bevels, to pictures of 8 bits,
     /// with no profiles and no focus; whatever else a frame asks for is drawn by GL.
     StageForm strokes = StageForm::automatic;
