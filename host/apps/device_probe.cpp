@@ -1,8 +1,10 @@
 #include "device_probe.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -11,9 +13,11 @@
 #include "compute/opencl/opencl_backend.hpp"
 #include "compute/opencl/programs.hpp"
 #include "compute/opencl/quirks.hpp"
+#include "glpasses/current_context.hpp"
 #include "glpasses/headless_context.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
+#include "renderer/form_costs.hpp"
 #include "renderer/trial_frames.hpp"
 
 namespace lineatlas::apps {
@@ -31,7 +35,8 @@ std::string last_line(std::string text) {
 }
 
 /// Questions to a process, as numbers. Modes have their places; these follow.
-constexpr std::size_t kernels = interop::all_modes.size(), frames = kernels + 1;
+constexpr std::size_t kernels = interop::all_modes.size(), frames = kernels + 1,
+                      forms = kernels + 2;
 
 Probe probe_in_child(std::size_t index, std::size_t what, std::chrono::seconds limit) {
     const ChildResult child =
@@ -74,6 +79,50 @@ Probe compare_frames(const compute::OpenClDevice& device) {
             false};
 }
 
+std::string describe(const interop::HandoverRate& rate) {
+    std::string text = fmt::format("{:.2g} ms", rate.milliseconds);
+    if (std::isfinite(rate.bytes_per_millisecond))
+        text += fmt::format(" and {:.2g} GB/s", rate.bytes_per_millisecond / 1e6);
+    return text;
+}
+
+/// The stages that kernels run, or those that GL runs.
+std::string stages_of(const AutomaticForms& forms, bool by_kernels) {
+    std::string names;
+    for (const auto& [name, is_by_kernels] :
+         {std::pair{"depth", forms.depth}, std::pair{"samples", forms.atlas},
+          std::pair{"strokes", forms.strokes}, std::pair{"fills of exact", forms.fill}}) {
+        if (is_by_kernels != by_kernels) continue;
+        if (!names.empty()) names += ", ";
+        names += name;
+    }
+    return names.empty() ? "nothing" : names;
+}
+
+Probe find_forms(const compute::OpenClDevice& device) {
+    const gl::HeadlessContext context;
+    try {
+        const interop::Connection connection = interop::connect({.device = device.name()});
+        const interop::HandoverRates rates = interop::handover_rates(*connection.sharing);
+        const compute::Tuning& tuning = connection.device->tuning();
+        const AutomaticForms forms = forms_for(tuning, rates);
+        const auto milliseconds = [&](const AutomaticForms& some) {
+            return frame_milliseconds(some, rates,
+                                      stage_times(place_of(tuning), !gl::is_software()));
+        };
+        return {true,
+                fmt::format(
+                    "by kernels: {}; by GL: {}; {:.2g} ms of a frame, all by GL {:.2g}, "
+                    "all by kernels {:.2g}; {}: {} to kernels, {} to GL ({})",
+                    stages_of(forms, true), stages_of(forms, false), milliseconds(forms),
+                    milliseconds({}), milliseconds({.depth = true, .atlas = true, .strokes = true}),
+                    interop::name_of(connection.sharing->mode()), describe(rates.to_compute),
+                    describe(rates.to_gl), rates.measured ? "measured" : "assumed")};
+    } catch (const DeviceError& error) {
+        return {false, error.what()};
+    }
+}
+
 Probe try_mode(const compute::OpenClDevice& device, interop::SharingMode mode) {
     const gl::HeadlessContext context;
     const interop::ModeReport report = interop::probe_mode(device, mode);
@@ -90,6 +139,10 @@ Probe probe_frames(std::size_t index, std::chrono::seconds limit) {
     return probe_in_child(index, frames, limit);
 }
 
+Probe probe_forms(std::size_t index, std::chrono::seconds limit) {
+    return probe_in_child(index, forms, limit);
+}
+
 Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit) {
     const auto place = std::ranges::find(interop::all_modes, mode) - interop::all_modes.begin();
     return probe_in_child(index, static_cast<std::size_t>(place), limit);
@@ -97,10 +150,11 @@ Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seco
 
 void answer_probe(std::size_t index, std::size_t what) {
     const std::vector<compute::OpenClDevice> devices = compute::list_opencl_devices();
-    if (index >= devices.size() || what > frames)
+    if (index >= devices.size() || what > forms)
         throw UsageError("there is no such device or mode to probe");
     Probe probe = what == kernels  ? compile_kernels(devices[index])
                   : what == frames ? compare_frames(devices[index])
+                  : what == forms  ? find_forms(devices[index])
                                    : try_mode(devices[index], interop::all_modes[what]);
     std::ranges::replace(probe.reason, '\n', ' ');
     print_output(fmt::format("\n{}{}\n",

@@ -23,6 +23,8 @@ struct Probe {
 Probe probe_kernels(std::size_t index, std::chrono::seconds limit);
 /// Has a process compare a frame of the device with that of C++ (compute/opencl/device_trial.hpp).
 Probe probe_frames(std::size_t index, std::chrono::seconds limit);
+/// Has a process find out which forms of stages frames take by default, and what decides it.
+Probe probe_forms(std::size_t index, std::chrono::seconds limit);
 /// Has a process try a sharing mode.
 Probe probe_mode(std::size_t index, interop::SharingMode mode, std::chrono::seconds limit);
 

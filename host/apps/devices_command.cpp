@@ -10,7 +10,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "compute/opencl/tuning.hpp"
 #include "device_probe.hpp"
 #include "glpasses/headless_context.hpp"
 #include "glpasses/interop/connect.hpp"
@@ -18,7 +17,6 @@
 #include "io/confinement.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
-#include "renderer/frame_forms.hpp"
 #include "style/member_names.hpp"
 
 namespace lineatlas::apps {
@@ -90,7 +88,7 @@ nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& dev
         const std::string_view name = interop::name_of(mode);
         json["modes"][std::string{name}] = show(name, probe_mode(index, mode, limit));
     }
-    const std::string_view forms = describe_forms(compute::tuning_for(device));
+    const std::string forms = probe_forms(index, limit).reason;
     print_output(fmt::format("    {:<16} {}\n", "forms", forms));
     json["forms"] = forms;
     return json;

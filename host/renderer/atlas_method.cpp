@@ -33,7 +33,7 @@ std::uint32_t longest_segment(const Frame& frame) {
 
 AtlasMethod::AtlasMethod(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
-      prefers_raster_(gl_samples_faster(device_.tuning())), depth_(connection), fill_(connection),
+      depth_(connection), fill_(connection),
       chains_(stages_, compute::SilhouetteChains::Contours::lifted), carried_(stages_),
       batches_(stages_), temporal_(stages_), outlines_(stages_),
       clipped_(sharing_, compute::table::clipped), offsets_(sharing_, compute::table::offsets),
@@ -88,7 +88,7 @@ void AtlasMethod::prepare(const Frame& frame) {
     // An item buffer counts as the raster form, because its depth is not for kernels either.
     raster_ = frame.options.method == Method::item_buffer ||
               frame.options.forms.atlas == StageForm::raster ||
-              (frame.options.forms.atlas == StageForm::automatic && prefers_raster_ &&
+              (frame.options.forms.atlas == StageForm::automatic && !frame.automatic.atlas &&
                longest_segment(frame) < static_cast<std::uint32_t>(largest_side_));
     make_atlas(frame);
     cull_hidden_ = frame.culls_hidden();
@@ -270,6 +270,7 @@ void AtlasMethod::find(Frame& frame) {
         intervals_.find(frame, segment_atlas(), depth_);
         strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
     } while (grow());
+    depth_.device_is_done(); // the number of runs was waited for
     alpha_.set_size(strokes_.sample_total());
     if (finds_outlines_ && keeps_intervals_)
         intervals_.add_outlines(frame, outlines_.found(), order());

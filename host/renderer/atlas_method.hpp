@@ -99,7 +99,6 @@ class AtlasMethod {
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Sharing& sharing_;
-    bool prefers_raster_;
     GLint largest_side_ = 0; ///< of anything that GL draws to
     GLint largest_texture_buffer_ = 0;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "frame_forms.hpp"
+#include "lineatlas/error.hpp"
 #include "picture_limits.hpp"
 
 namespace lineatlas {
@@ -36,9 +37,17 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 
 DepthStage::DepthStage(const interop::Connection& connection)
     : stages_(*connection.stages), device_(stages_.device()), surfaces_(connection),
-      kernels_are_faster_(kernels_are_faster(device_.tuning())),
       depth_(*connection.sharing, compute::table::depth_texels),
       tiles_(*connection.sharing, compute::table::pyramid) {}
+
+DepthStage::~DepthStage() {
+    if (copy_of_seen_ != Copy::begun) return;
+    try {
+        device_.finish(); // an error has ended a frame whose copy may still run
+    } catch (const DeviceError&) {
+        return; // a queue that failed runs nothing any more
+    }
+}
 
 void DepthStage::set_scene(const SceneBuffers& scene) {
     surfaces_.set_scene();
@@ -107,7 +116,7 @@ void DepthStage::draw_tile_by_gl(Frame& frame, glm::ivec2 whole, const TexelRect
 }
 
 bool DepthStage::wants_kernels(const Frame& frame) const {
-    return wants_depth_kernels(frame.options, kernels_are_faster_);
+    return wants_depth_kernels(frame.options, frame.automatic);
 }
 
 compute::Buffer& DepthStage::blank_tiles() {
@@ -141,18 +150,24 @@ void DepthStage::draw_by_kernels(Frame& frame, glm::ivec2 whole, const TexelRect
     });
     surfaces_.find_planes(frame, visible_.get());
     drawn_is_known_ = false;
+    copy_of_seen_ = Copy::none;
 }
 
 void DepthStage::draw_by_kernels(Frame& frame) {
     const glm::ivec2 texels = frame.camera.size * frame.depth_scale();
     triangles_drawn_ = 0;
     draw_by_kernels(frame, texels, {{0, 0}, texels}, covered(frame));
+    device_.begin_download(*visible_, std::as_writable_bytes(std::span{appeared_}));
+    copy_of_seen_ = Copy::begun;
 }
 
 void DepthStage::find_drawn() {
     if (drawn_is_known_) return;
     drawn_is_known_ = true;
-    device_.download(*visible_, std::as_writable_bytes(std::span{appeared_}));
+    if (copy_of_seen_ == Copy::none)
+        device_.download(*visible_, std::as_writable_bytes(std::span{appeared_}));
+    if (copy_of_seen_ == Copy::begun) device_.finish();
+    copy_of_seen_ = Copy::done;
     ranges_.clear();
     add_drawn(clusters_, appeared_);
 }

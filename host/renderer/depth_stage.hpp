@@ -27,6 +27,9 @@ std::vector<gl::TriangleRange> pieces_in_view(SceneBuffers& scene,
 class DepthStage {
   public:
     explicit DepthStage(const interop::Connection& connection);
+    ~DepthStage();
+    DepthStage(const DepthStage&) = delete;
+    DepthStage& operator=(const DepthStage&) = delete;
 
     void set_scene(const SceneBuffers& scene);
 
@@ -56,6 +59,11 @@ class DepthStage {
     const TexelRectangle& drawn_texels() const { return drawn_texels_; }
     compute::Buffer& seen() const { return *visible_; }
 
+    /// Says that the host has waited for all that the device got so far. Then the two functions
+    /// below need no wait of their own.
+    void device_is_done() {
+        if (copy_of_seen_ == Copy::begun) copy_of_seen_ = Copy::done;
+    }
     /// Triangles that the last frame drew.
     std::uint32_t triangles_drawn() {
         find_drawn();
@@ -91,7 +99,7 @@ class DepthStage {
     compute::Buffer& blank_tiles();
     /// Draws the whole depth buffer by kernels.
     void draw_by_kernels(Frame& frame);
-    /// Reads which clusters kernels have drawn, unless that is known.
+    /// Takes over which clusters kernels have drawn, unless that is known.
     void find_drawn();
     /// Adds the clusters that `selected` names to those that were drawn.
     void add_drawn(std::span<const Cluster> clusters, const std::vector<std::uint32_t>& selected);
@@ -112,9 +120,10 @@ class DepthStage {
     SurfaceStage surfaces_;
     std::optional<gl::ImportDepthPass> import_; ///< made when first used
     bool imported_ = false;                     ///< the current frame's depth is the program's own
-    const bool kernels_are_faster_;
-    bool by_kernels_ = false; ///< the current frame's form
+    bool by_kernels_ = false;                   ///< the current frame's form
     bool drawn_is_known_ = true;
+    enum class Copy { none, begun, done };
+    Copy copy_of_seen_ = Copy::none;    ///< to appeared_, of what kernels have drawn
     glm::ivec2 size_{0, 0};             ///< of the depth buffer that kernels drew
     TexelRectangle drawn_texels_;       ///< of that
     std::span<const Cluster> clusters_; ///< of the model

@@ -7,6 +7,7 @@
 #include "core/line_pens.hpp"
 #include "core/standard_camera.hpp"
 #include "core/tiles.hpp"
+#include "form_costs.hpp"
 #include "glpasses/atlas_pass.hpp"
 #include "glpasses/stroke_pass.hpp"
 #include "lineatlas/camera.hpp"
@@ -24,6 +25,7 @@ struct Frame {
     const Camera& camera;         ///< a standard camera
     DepthMapping depth_mapping{}; ///< of the program's own depth, if there is one
     const FrameOptions& options;
+    AutomaticForms automatic; ///< of stages whose form `options` leave open
     SceneBuffers& scene;
     GLuint framebuffer;
     PenTextures& pens;

@@ -18,11 +18,6 @@ constexpr float longest_mitre = 4;
 // depth over and back. A GPU draws about this many triangles in that time (docs/benchmarks.md).
 constexpr std::uint32_t fewest_culled_by_gpus = 1U << 20U;
 
-/// Whether launch parameters are those of a CPU.
-bool is_processor(const compute::Tuning& tuning) {
-    return tuning.depth_lanes > 1;
-}
-
 bool is_constant(const Profile& profile) {
     return profile.size() == 1 && profile[0] == 1;
 }
@@ -36,40 +31,23 @@ bool is_even(const std::string& mark) {
 
 } // namespace
 
-bool kernels_are_faster(const compute::Tuning& tuning) {
-    return gl::is_software() && is_processor(tuning);
-}
-
-bool gl_samples_faster(const compute::Tuning& tuning) {
-    return !gl::is_software() && is_processor(tuning);
-}
-
-std::string_view describe_forms(const compute::Tuning& tuning) {
-    if (kernels_are_faster(tuning))
-        return "depth, samples and strokes by kernels, which are faster than GL on a CPU";
-    if (gl_samples_faster(tuning))
-        return "depth, samples and strokes by GL, which has a GPU where kernels have none";
-    return gl::is_software()
-               ? "samples by kernels; depth and strokes by GL, since kernels have the "
-                 "form for GPUs"
-               : "samples by kernels; depth and strokes by GL, which has a GPU";
-}
-
 std::uint32_t fewest_culled_triangles() {
     return gl::is_software() ? 0 : fewest_culled_by_gpus;
 }
 
-bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster) {
+bool wants_depth_kernels(const FrameOptions& options, const AutomaticForms& automatic) {
     if (options.own_depth || options.method == Method::item_buffer ||
         options.method == Method::opengl)
         return false;
-    return options.forms.depth == StageForm::compute ||
-           (options.forms.depth == StageForm::automatic && kernels_are_faster);
+    if (options.forms.depth != StageForm::automatic)
+        return options.forms.depth == StageForm::compute;
+    if (options.method == Method::spine) return automatic.spine_depth;
+    return options.method == Method::exact ? automatic.fill : automatic.depth;
 }
 
-bool wants_stroke_kernels(const FrameOptions& options, bool kernels_are_faster) {
+bool wants_stroke_kernels(const FrameOptions& options, const AutomaticForms& automatic) {
     const bool asked = options.forms.strokes == StageForm::compute ||
-                       (options.forms.strokes == StageForm::automatic && kernels_are_faster);
+                       (options.forms.strokes == StageForm::automatic && automatic.strokes);
     return options.draw && asked && !options.style.focus.on;
 }
 

@@ -1,31 +1,22 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
-#include "lineatlas/compute_device.hpp"
+#include "form_costs.hpp"
 #include "lineatlas/renderer.hpp"
 
 // Which stages of a frame kernels run, and which stages its style needs, as far as that is known
 // before the frame's lines are known.
 namespace lineatlas {
 
-/// Whether kernels draw depth, fills and strokes faster than the current GL context does. They do
-/// if both run on the CPU.
-bool kernels_are_faster(const compute::Tuning& tuning);
-/// Whether GL computes samples faster than kernels, with the time of all copies between them. It
-/// does if it has a GPU and the kernels have none.
-bool gl_samples_faster(const compute::Tuning& tuning);
-/// A few words on which forms `automatic` takes with such a device, and why.
-std::string_view describe_forms(const compute::Tuning& tuning);
 /// The fewest triangles for which GL draws only clusters that may be seen. A GPU has drawn fewer
 /// triangles before it is known which to draw.
 std::uint32_t fewest_culled_triangles();
 
 /// Whether depth, and a fill by it, is drawn by kernels, where the frame draws any.
-bool wants_depth_kernels(const FrameOptions& options, bool kernels_are_faster);
+bool wants_depth_kernels(const FrameOptions& options, const AutomaticForms& automatic);
 /// Whether kernels draw strokes, if they know all pens and there are many runs.
-bool wants_stroke_kernels(const FrameOptions& options, bool kernels_are_faster);
+bool wants_stroke_kernels(const FrameOptions& options, const AutomaticForms& automatic);
 /// Whether kernels know all that the pen does.
 bool is_plain(const Pen& pen);
 

@@ -28,7 +28,7 @@ std::vector<Pen> possible_pens(const Style& style, bool hidden) {
 }
 
 /// Adds the stages by which a style changes and draws runs.
-void add_run_stages(Stages& stages, const FrameOptions& options, bool by_kernels) {
+void add_run_stages(Stages& stages, const FrameOptions& options, const AutomaticForms& automatic) {
     const Style& style = options.style;
     const std::vector<Pen> pens = possible_pens(style, false), hidden = possible_pens(style, true);
     if (needs_outlines(options)) add(stages, {"outline"});
@@ -42,7 +42,7 @@ void add_run_stages(Stages& stages, const FrameOptions& options, bool by_kernels
     const bool may_be_plain =
         !style.pens.empty() ||
         (is_plain(style.pen) && (!style.hidden || is_plain(style.hidden_pen)));
-    if (wants_stroke_kernels(options, by_kernels) && may_be_plain) add(stages, {"strokes"});
+    if (wants_stroke_kernels(options, automatic) && may_be_plain) add(stages, {"strokes"});
     if (wants_steadiness(options) && has_textures(options, pens, hidden)) add(stages, {"carry"});
 }
 
@@ -55,8 +55,8 @@ void add_depth_stages(Stages& stages, const FrameOptions& options, bool by_kerne
     if (!options.own_depth) add(stages, {"planes"});
 }
 
-Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
-    const bool depth_by_kernels = wants_depth_kernels(options, kernels_are_faster);
+Stages needed_stages(const FrameOptions& options, const AutomaticForms& automatic) {
+    const bool depth_by_kernels = wants_depth_kernels(options, automatic);
     Stages stages{"transform", "contour"}; // for models that move
     if (options.method == Method::opengl) return stages;
     if (options.style.fill.mode != FillMode::none && depth_by_kernels) {
@@ -70,7 +70,7 @@ Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
     add(stages, {"project_clip", "scan"});
     if ((drawn_kinds(options.lines, options.style) & mask_of(LineKind::silhouette)) != 0)
         add(stages, {"facing", "silhouette", "chain"});
-    add_run_stages(stages, options, kernels_are_faster);
+    add_run_stages(stages, options, automatic);
     if (options.method == Method::exact) {
         add(stages, {"surfaces", "tile_lists", "visible", "spans"});
         return stages;
@@ -87,8 +87,9 @@ Stages needed_stages(const FrameOptions& options, bool kernels_are_faster) {
 } // namespace
 
 std::vector<compute::KernelForm> needed_kernels(const FrameOptions& options,
+                                                const AutomaticForms& automatic,
                                                 const compute::Device& device) {
-    const Stages stages = needed_stages(options, kernels_are_faster(device.tuning()));
+    const Stages stages = needed_stages(options, automatic);
     return compute::kernel_forms(stages, probes_per_axis(options.probes), device.tuning());
 }
 

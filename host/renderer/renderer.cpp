@@ -16,6 +16,7 @@
 #include "core/picture_size.hpp"
 #include "core/progress.hpp"
 #include "exact_method.hpp"
+#include "form_costs.hpp"
 #include "frame.hpp"
 #include "glpasses/current_context.hpp"
 #include "glpasses/interop/connect.hpp"
@@ -95,6 +96,11 @@ Progress outside(gl::StateGuard& guard, const Progress& progress) {
     };
 }
 
+AutomaticForms forms_for(const interop::Connection& connection) {
+    return lineatlas::forms_for(connection.device->tuning(),
+                                interop::handover_rates(*connection.sharing));
+}
+
 } // namespace
 
 class Renderer::State {
@@ -103,12 +109,13 @@ class Renderer::State {
   public:
     explicit State(const DeviceOptions& options)
         : connection_(interop::connect(connect_options(options))),
-          atlas_(std::make_unique<AtlasMethod>(connection_)) {}
+          automatic_(forms_for(connection_)), atlas_(std::make_unique<AtlasMethod>(connection_)) {}
 
     compute::Device& device() const { return connection_.stages->device(); }
 
     void use(interop::Connection connection) {
         auto atlas = std::make_unique<AtlasMethod>(connection);
+        const AutomaticForms automatic = forms_for(connection);
         std::optional<SceneBuffers::Tables> tables;
         if (scene_) {
             tables = scene_->copy_tables(*connection.stages, *connection.sharing);
@@ -117,6 +124,7 @@ class Renderer::State {
         // Nothing throws from here on. Buffers go before the device that made them.
         recorder_.reset();
         atlas_ = std::move(atlas);
+        automatic_ = automatic;
         spine_.reset();
         exact_.reset();
         picking_.reset();
@@ -216,7 +224,8 @@ class Renderer::State {
 
     void prepare(const FrameOptions& options, const Progress& progress) {
         check(options);
-        const std::vector<compute::KernelForm> kernels = needed_kernels(options, device());
+        const std::vector<compute::KernelForm> kernels =
+            needed_kernels(options, automatic_, device());
         const bool many = scene_ && scene_->most_elements() >= compute::IdleLaunches::many_items;
         const ProgressPart part{progress, "preparing"};
         compute::IdleLaunches idle{device()};
@@ -401,6 +410,7 @@ class Renderer::State {
         return {.camera = camera_.camera,
                 .depth_mapping = camera_.depth,
                 .options = options_,
+                .automatic = automatic_,
                 .scene = *scene_,
                 .framebuffer = framebuffer,
                 .pens = pens_,
@@ -439,8 +449,9 @@ class Renderer::State {
 
     gl::CurrentContext context_ = gl::current_context();
     interop::Connection connection_;
-    StandardCamera camera_; ///< of the current frame
-    FrameOptions options_;  ///< of the current frame, with lengths for its size
+    AutomaticForms automatic_; ///< of that connection
+    StandardCamera camera_;    ///< of the current frame
+    FrameOptions options_;     ///< of the current frame, with lengths for its size
     std::optional<SceneBuffers> scene_;
     std::optional<ProfileRecorder> recorder_; ///< from the first profiled frame on
     PenTextures pens_;

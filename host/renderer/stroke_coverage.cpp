@@ -45,14 +45,13 @@ std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
 } // namespace
 
 StrokeCoverage::StrokeCoverage(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), sharing_(*connection.sharing),
-      kernels_are_faster_(kernels_are_faster(device_.tuning())), lists_{Lists{device_},
-                                                                        Lists{device_}},
+    : stages_(*connection.stages), device_(stages_.device()),
+      sharing_(*connection.sharing), lists_{Lists{device_}, Lists{device_}},
       coverage_(sharing_, compute::table::coverage), shown_(sharing_, compute::table::shown_tiles) {
 }
 
 bool StrokeCoverage::wants(const Frame& frame) const {
-    if (!wants_stroke_kernels(frame.options, kernels_are_faster_)) return false;
+    if (!wants_stroke_kernels(frame.options, frame.automatic)) return false;
     std::size_t layers = 0;
     for (const bool hidden : {false, true}) {
         if (hidden && !has_hidden_) continue;
@@ -68,8 +67,9 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
     draws_ = can_draw_ = wants(frame);
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
-    fewest_runs_ =
-        frame.options.forms.strokes == StageForm::automatic ? pixels / pixels_per_run : 0;
+    const bool leaves_few =
+        frame.options.forms.strokes == StageForm::automatic && frame.automatic.few_strokes_by_gl;
+    fewest_runs_ = leaves_few ? pixels / pixels_per_run : 0;
     if (!draws_ || !coverage_) return;
     for (interop::SharedTable* table : {&coverage_, &shown_})
         table->compute(); // while GL has nothing to do

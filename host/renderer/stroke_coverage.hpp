@@ -76,7 +76,6 @@ class StrokeCoverage {
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     interop::Sharing& sharing_;
-    const bool kernels_are_faster_;
     std::array<Lists, 2> lists_; ///< of visible lines, and of hidden ones
     std::map<std::pair<std::string, float>, Mark, std::less<>> marks_; ///< by name and width
     interop::SharedTable coverage_, shown_;

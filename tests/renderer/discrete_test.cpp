@@ -11,9 +11,13 @@
 #include "compute/opencl/devices.hpp"
 #include "glpasses/canvas.hpp"
 #include "glpasses/headless_context.hpp"
+#include "glpasses/interop/connect.hpp"
+#include "glpasses/interop/handover_rates.hpp"
+#include "glpasses/objects.hpp"
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
 #include "support/discrete_layer/discrete_layer.hpp"
+#include "temporary_folder.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -71,14 +75,70 @@ TEST_F(Discrete, AFrameByKernelsHandsOverItsPictureAlone) {
     const BusCounts counts = draw(options).counts;
     EXPECT_GT(counts.launches, 10U);
     EXPECT_LE(counts.launches, 60U);
-    EXPECT_LE(counts.waits, 4U) << "for silhouettes, for runs and their tiles, for strokes";
+    // The number of silhouettes sizes the tables and launches that follow. The number of runs in
+    // tiles says whether tables are too small; if they are, stages run again before anything is
+    // drawn. The last wait is for the strokes.
+    EXPECT_LE(counts.waits, 3U);
     EXPECT_GT(counts.bytes, 100'000U) << "strokes cross";
     EXPECT_LE(counts.bytes, 1U << 20U);
+}
+
+TEST_F(Discrete, AFrameByDefaultIsOneByKernels) {
+    FrameOptions options;
+    options.method = Method::atlas;
+    const BusCounts counts = draw(options).counts;
+    EXPECT_GT(counts.bytes, 100'000U) << "strokes cross";
+    EXPECT_LE(counts.bytes, 1U << 20U) << "neither depth nor samples do";
+    EXPECT_LE(counts.launches, 60U);
+    EXPECT_LE(counts.waits, 3U);
+}
+
+TEST_F(Discrete, AProgramsOwnDepthCrossesOnce) {
+    FrameOptions options;
+    options.method = Method::atlas;
+    const gl::Texture2D depth = gl::Texture2D::create();
+    glTextureStorage2D(depth.id(), 1, GL_DEPTH_COMPONENT32F, canvas_.size().x, canvas_.size().y);
+    const float far = 1;
+    glClearTexImage(depth.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+    options.own_depth = DepthTexture{.texture = depth.id()};
+    const BusCounts counts = draw(options).counts;
+    const auto pixels =
+        static_cast<std::uint64_t>(canvas_.size().x) * static_cast<std::uint64_t>(canvas_.size().y);
+    constexpr std::uint64_t beside = 64 << 10; // numbers that the host reads, and marks of tiles
+    EXPECT_GT(counts.bytes, pixels * sizeof(float));
+    EXPECT_LE(counts.bytes, pixels * (sizeof(float) + 1) + beside) << "and a layer of strokes";
+}
+
+TEST_F(Discrete, RatesAreMeasuredOnceAndKept) {
+    const TemporaryFolder cache;
+    ::setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
+    const auto rates = [] {
+        interop::Connection connection = interop::connect({.kind = "opencl"});
+        take_counts();
+        return interop::handover_rates(*connection.sharing);
+    };
+    EXPECT_FALSE(rates().measured) << "with LINEATLAS_CACHE=off";
+    EXPECT_EQ(take_counts().copies, 0U);
+    ::setenv("LINEATLAS_CACHE", "on", 1);
+    const interop::HandoverRates found = rates();
+    EXPECT_TRUE(found.measured);
+    EXPECT_GT(take_counts().copies, 10U);
+    // The layer takes at least 10 us and 4 GB/s. Rates are rounded to powers of two.
+    for (const interop::HandoverRate& rate : {found.to_compute, found.to_gl}) {
+        EXPECT_GE(rate.milliseconds, 1.0 / 64);
+        EXPECT_LE(rate.bytes_per_millisecond, 1 << 22);
+    }
+    const interop::HandoverRates again = rates();
+    EXPECT_TRUE(again.measured);
+    EXPECT_EQ(take_counts().copies, 0U);
+    EXPECT_EQ(again.to_compute.milliseconds, found.to_compute.milliseconds);
+    EXPECT_EQ(again.to_gl.bytes_per_millisecond, found.to_gl.bytes_per_millisecond);
 }
 
 TEST_F(Discrete, TheExactMethodHandsOverItsRunsAlone) {
     FrameOptions options;
     options.method = Method::exact;
+    options.forms.strokes = StageForm::raster;
     const auto [stats, counts] = draw(options);
     constexpr std::uint64_t beside = 4096; // numbers that the host reads
     EXPECT_GT(counts.launches, 10U);

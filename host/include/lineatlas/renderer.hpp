@@ -43,7 +43,7 @@ enum class Method {
 
 /// Where a stage that has two forms runs.
 enum class StageForm {
-    automatic, ///< where it is known to be faster
+    automatic, ///< where the stage and what must be copied for it take less time (docs/devices.md)
     raster,    ///< in a pass of GL
     compute,   ///< in kernels
 };
@@ -51,16 +51,14 @@ enum class StageForm {
 /// The forms of stages, for measurements and for finding faults. `automatic` takes the form that is
 /// known to be faster. Pictures of the two other forms differ only by rounding.
 struct StageForms {
-    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples. `automatic`:
-    /// raster if GL has a GPU and kernels have none, else compute.
+    /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples.
     StageForm atlas = StageForm::automatic;
-    /// Depth (§3.2), and a fill by that depth. The two forms cover the same texels, except a few in
-    /// 100,000. For the methods atlas and spine, and for the fill of exact. `automatic`: compute if
-    /// GL and kernels both run on the CPU, else raster.
+    /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
+    /// Methods atlas and spine, exact for its fill.
     StageForm depth = StageForm::automatic;
-    /// Strokes (§4.4); `automatic` as for depth. Kernels draw pictures of 8 bits with marks that
-    /// are even across the stroke (solid, dashed), butt and round caps, and joins without bevels,
-    /// but no profiles and no focus. GL draws all of a frame that asks for anything else.
+    /// Strokes (§4.4). Kernels draw marks that are even across the stroke
+    /// (solid, dashed) with butt and round caps and joins without bevels, to pictures of 8 bits,
+    /// with no profiles and no focus; whatever else a frame asks for is drawn by GL.
     StageForm strokes = StageForm::automatic;
 };
 
