@@ -676,6 +676,18 @@ TEST(Sheet, ViewsArePlacedByHand) {
     refused({.views = {"front"}, .placements = {{.view = "top"}}}, "the sheet does not have it");
     refused({.views = {"front"}, .placements = {{.view = "front"}, {.view = "front"}}},
             "placed twice");
+    // Views without a place may leave it at the scale of the sheet, wherever they begin.
+    const Box flat{{0, 0, 0}, {300, 50, 10}};
+    EXPECT_EQ((flat.layout({.views = {"top", "right", "front"},
+                            .placements = {{"front", glm::dvec2{280, 194.7}, "1:10"}}})
+                   .scale),
+              "1:1");
+    refused({.views = {"top", "front"}, .placements = {{"front", glm::dvec2{215, 148.5}, "1:5"}}},
+            "meets \"top\"; place it elsewhere");
+    refused({.views = {"front"},
+             .details = {{.view = "front", .center = box.high, .radius = 10}},
+             .scale = "5000000000:1"},
+            "ISO 5455 has no scale twice as large as 5000000000:1; give the detail a scale");
     // The scale of a sheet is the largest that fits, or that of its views.
     EXPECT_EQ(box.layout(front_at({90, 100}, "")).scale, "1:1");
     EXPECT_EQ(box.layout(front_at({60, 100}, "")).scale, "1:2");
