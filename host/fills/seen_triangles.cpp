@@ -17,7 +17,7 @@
 namespace lineatlas {
 namespace {
 
-constexpr int tile = 32; ///< pixels
+constexpr int tile = 16; ///< pixels
 
 /// A grid of tiles over the picture.
 struct Tiles {
@@ -195,11 +195,12 @@ class Scene {
             if (n % often == 0 && box.nearest > *std::ranges::max_element(depths)) break;
             const auto first = std::ranges::lower_bound(points, box.low.y, {}, height_of);
             const auto end = std::ranges::upper_bound(points, box.high.y, {}, height_of);
-            const ShownTriangle triangle = shown(lines_.triangles[i]);
+            std::optional<ShownTriangle> triangle; // most boxes have no point that asks for it
             for (auto point = first; point < end; ++point) {
                 const auto k = static_cast<std::size_t>(point - points.begin());
                 if (box.nearest > depths[k] || !box.reaches(points_[*point])) continue;
-                const auto depth = triangle.depth_at(places[k]);
+                if (!triangle) triangle = shown(lines_.triangles[i]);
+                const auto depth = triangle->depth_at(places[k]);
                 std::uint32_t& own = seen[*point];
                 if (!depth || *depth > depths[k] || (*depth == depths[k] && i > own)) continue;
                 depths[k] = *depth;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/drawing_scale.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/sheet.hpp"
 #include "style/toml_file.hpp"
@@ -30,6 +31,18 @@ double number_of(const toml::node& node) {
     const std::optional<SettingValue> value = value_of(node);
     if (!value || !std::holds_alternative<double>(*value)) throw UsageError("it must be a number");
     return std::get<double>(*value);
+}
+
+double radius_of(const toml::node& node) {
+    const double radius = number_of(node);
+    if (!(radius > 0) || !std::isfinite(radius)) throw UsageError("it must be a number above 0");
+    return radius;
+}
+
+std::string scale_of(const toml::node& node) {
+    std::string scale = text_of(node);
+    parse_scale("the scale", scale);
+    return scale;
 }
 
 template <std::size_t count>
@@ -82,7 +95,7 @@ class SheetReader {
     void take(std::string_view key, const toml::node& node) {
         if (key == "page") sheet_.page = parse_page(text_of(node));
         if (key == "projection") sheet_.angle = parse_projection_angle(text_of(node));
-        if (key == "scale") sheet_.scale = text_of(node);
+        if (key == "scale") sheet_.scale = scale_of(node);
         if (key == "fields") take_fields(node);
         if (key == "views") take_tables(node, [&](const toml::table& table) { take_view(table); });
         if (key == "details")
@@ -110,7 +123,7 @@ class SheetReader {
                  [&](std::string_view key, const toml::node& node) {
                      if (key == "view") placed.view = single_view(text_of(node));
                      if (key == "at") placed.at = place_of(node);
-                     if (key == "scale") placed.scale = text_of(node);
+                     if (key == "scale") placed.scale = scale_of(node);
                  });
         if (placed.view.empty()) throw UsageError("each needs a \"view\"");
         sheet_.views.push_back(placed.view);
@@ -128,8 +141,8 @@ class SheetReader {
         take_all(table, "a detail", {"view", "center", "radius", "scale", "at"},
                  [&](std::string_view key, const toml::node& node) {
                      if (key == "view") detail.view = text_of(node);
-                     if (key == "radius") detail.radius = number_of(node);
-                     if (key == "scale") detail.scale = text_of(node);
+                     if (key == "radius") detail.radius = radius_of(node);
+                     if (key == "scale") detail.scale = scale_of(node);
                      if (key == "at") detail.at = place_of(node);
                      if (key != "center") return;
                      const auto [x, y, z] = numbers_of<3>(node);

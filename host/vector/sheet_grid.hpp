@@ -21,12 +21,12 @@ bool is_pictorial(std::string_view view);
 
 /// What a view wants of the grid.
 struct WantedCell {
-    std::string side;    ///< from which it looks; empty: a detail
+    std::string side;    ///< from which it looks; empty: a detail or an oblique section
     bool yields = false; ///< a section: stands on the right of that side's view, if there is one
 };
 
-/// A different cell for each view. The angle of projection places aligned views. Pictorial views
-/// and details stand where they add the fewest columns and rows.
+/// A different cell for each view. The angle of projection places aligned views. Pictorial views,
+/// details and oblique sections stand where they add the fewest columns and rows.
 std::vector<SheetCell> sheet_cells(const std::vector<WantedCell>& views, ProjectionAngle angle);
 
 } // namespace lineatlas

@@ -99,6 +99,11 @@ std::vector<std::string> scales_of(const Grid& grid, const std::string& sheet) {
         const std::string of_view = side.detail ? scales[side.shown_on] : sheet;
         const double value = parse_scale("the scale", of_view);
         const std::string usual = side.detail ? enlarging_scale(2 * value) : sheet;
+        if (side.scale.empty() && usual.empty())
+            throw UsageError(
+                fmt::format("a detail of \"{}\": ISO 5455 has no scale twice as large "
+                            "as {}; give the detail a scale, or the view a smaller one",
+                            side.detail->view, of_view));
         scales.push_back(side.scale.empty() ? usual : side.scale);
         if (!side.detail || parse_scale("the scale of a detail", scales.back()) > value) continue;
         throw UsageError(fmt::format("the scale {} of a detail of \"{}\" must be larger than {}, "
@@ -176,10 +181,13 @@ std::optional<std::vector<glm::dvec2>> places_on(const Grid& grid, const PaperSc
     return places;
 }
 
+/// Which views those that were placed by hand must not meet.
+enum class Others { all, placed_by_hand };
+
 /// What is wrong with views that were placed by hand; empty: nothing.
 std::string trouble_by_hand(const Grid& grid, const PaperScales& scales,
                             const std::vector<glm::dvec2>& places, const SheetBox& frame,
-                            const SheetBox& block) {
+                            const SheetBox& block, Others others = Others::all) {
     const auto box = [&](std::size_t i) {
         return box_on_paper(grid.sides[i], places[i], scales[i]);
     };
@@ -196,7 +204,7 @@ std::string trouble_by_hand(const Grid& grid, const PaperScales& scales,
         if (!within) return trouble("leaves the frame");
         if (own.meets(block, 0)) return trouble("meets the title block");
         for (std::size_t k = 0; k < places.size(); ++k)
-            if (k != i && own.meets(box(k), 0))
+            if (k != i && (others == Others::all || grid.sides[k].at) && own.meets(box(k), 0))
                 return trouble(fmt::format("meets \"{}\"", grid.sides[k].name));
     }
     return {};
@@ -241,7 +249,8 @@ bool enlarges_details(const Grid& grid, double scale) {
     });
 }
 
-/// Throws UsageError if no scale of the sheet makes the views fit.
+/// Throws UsageError if it is plain that no scale of the sheet makes the views fit. Views without
+/// a place of their own stand elsewhere at other scales, so that these are not looked at.
 void check_room(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
     if (!places_on(grid, PaperScales(grid.sides.size(), 0), frame, block))
         throw UsageError("the page has no room for so many views; take a larger page");
@@ -250,7 +259,8 @@ void check_room(const Grid& grid, double unit, const SheetBox& frame, const Shee
     if (!places)
         throw UsageError("the page has no room for views and details of their own scales; give "
                          "them smaller ones, or take a larger page");
-    const std::string trouble = trouble_by_hand(grid, least, *places, frame, block);
+    const std::string trouble =
+        trouble_by_hand(grid, least, *places, frame, block, Others::placed_by_hand);
     if (!trouble.empty()) throw UsageError(trouble + "; place it elsewhere");
 }
 
@@ -258,9 +268,13 @@ void check_room(const Grid& grid, double unit, const SheetBox& frame, const Shee
 Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
     check_room(grid, unit, frame, block);
     double largest = largest_scale(grid, unit, frame);
+    std::string trouble;
     for (;;) {
         const std::string scale = standard_scale(largest);
-        if (scale.empty()) throw UsageError("the model is too large for any scale on this page");
+        if (scale.empty() && !trouble.empty()) throw UsageError(trouble + "; place it elsewhere");
+        if (scale.empty())
+            throw UsageError("the model is too large for any scale on this page; take a larger "
+                             "page, or another unit of the model");
         const double value = parse_scale("the scale", scale);
         constexpr double smaller = 0.99; // than the scale of the series
         largest = smaller * value;
@@ -268,8 +282,9 @@ Fit largest_fit(const Grid& grid, double unit, const SheetBox& frame, const Shee
         std::vector<std::string> scales = scales_of(grid, scale);
         const PaperScales on_paper = paper_scales(scales, unit);
         auto places = places_on(grid, on_paper, frame, block);
-        if (places && trouble_by_hand(grid, on_paper, *places, frame, block).empty())
-            return {scale, std::move(scales), std::move(*places)};
+        if (!places) continue;
+        trouble = trouble_by_hand(grid, on_paper, *places, frame, block);
+        if (trouble.empty()) return {scale, std::move(scales), std::move(*places)};
     }
 }
 

@@ -27,11 +27,22 @@ constexpr std::array fields{
     NamedField{"date", &SheetFields::date},
 };
 
-/// The end of the first view in a list. It ends at a comma, but not at one between two numbers.
+/// Whether a text begins with a section whose plane is a point and a normal, as in
+/// "section:1,2,3/0,0,1".
+bool begins_with_oblique_section(std::string_view text) {
+    std::string_view plane = section_of(text).value_or("");
+    return take_number(plane).has_value();
+}
+
+/// The end of the first view in a list. It ends at a comma, but not at one between numbers: angles
+/// have one, and a point with a normal has four.
 std::size_t end_of_view(std::string_view list) {
-    const std::size_t end = std::min(list.find(','), list.size());
-    if (!number_from(list.substr(0, end)) || end == list.size()) return end;
-    return std::min(list.find(',', end + 1), list.size());
+    std::size_t end = std::min(list.find(','), list.size());
+    const bool oblique = begins_with_oblique_section(list);
+    const int within = oblique ? 4 : number_from(list.substr(0, end)) ? 1 : 0;
+    for (int i = 0; i < within && end < list.size(); ++i)
+        end = std::min(list.find(',', end + 1), list.size());
+    return end;
 }
 
 void check_view(const std::string& view) {
@@ -41,9 +52,6 @@ void check_view(const std::string& view) {
         return;
     }
     parse_section(*plane, {{0, 0, 0}, {1, 1, 1}});
-    if (plane->find('/') != std::string_view::npos)
-        throw UsageError(fmt::format(
-            "{}: the plane of a sheet's section lies across an axis, as in section:x=12", view));
 }
 
 void check_detail(const SheetDetail& detail) {
@@ -85,6 +93,7 @@ std::optional<glm::dvec3> point_from(std::string_view text) {
 SheetDetail parse_detail(std::string_view text) {
     std::string_view rest = text;
     SheetDetail detail{.view = std::string{take_part(rest)}};
+    if (begins_with_oblique_section(text)) detail.view.append("/").append(take_part(rest));
     const std::optional<glm::dvec3> center = point_from(take_part(rest));
     const std::optional<double> radius = number_from(take_part(rest));
     if (!center || !radius)

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace lineatlas {
@@ -51,28 +53,67 @@ void add_arrow(SheetMarks& marks, glm::dvec2 tip, glm::dvec2 sight, const std::s
                TextAnchor::middle);
 }
 
-/// The line of a plane from `first` to `last` along a unit axis. Both lie at the border of the view
-/// that it cuts, in one place if that shows a flat model edge on.
+/// How far the line goes on beyond the view from a place at its border, so that the arrow there and
+/// its letter stand clear of the view.
+double overhang_at(glm::dvec2 border, glm::dvec2 out, glm::dvec2 sight, const SheetBox& view) {
+    constexpr double step = 1, least_clear = 1;
+    const glm::dvec2 behind = -(shaft + from_shaft + 0.5 * letter_height) * sight;
+    const glm::dvec2 half_letter{0.5 * letter_height};
+    for (double length = overhang;; length += step) {
+        const glm::dvec2 tip = border + length * out, middle = tip + behind;
+        const SheetBox arrow{glm::min(tip, middle - half_letter),
+                             glm::max(tip, middle + half_letter)};
+        if (!arrow.meets(view, least_clear)) return length;
+    }
+}
+
+/// The line of a plane from `first` to `last` along a unit vector. Both lie at the border of the
+/// view that it cuts, in one place if that shows a flat model edge on.
 void add_cutting_line(SheetMarks& marks, glm::dvec2 first, glm::dvec2 last, glm::dvec2 way,
-                      glm::dvec2 sight, const std::string& letter) {
+                      glm::dvec2 sight, const SheetBox& view, const std::string& letter) {
     add_chain(marks, first - clear * way, way, glm::distance(first, last) + 2 * clear);
-    marks.line(first - clear * way, first - overhang * way, thick);
-    marks.line(last + clear * way, last + overhang * way, thick);
-    add_arrow(marks, first - overhang * way, sight, letter);
-    add_arrow(marks, last + overhang * way, sight, letter);
+    const glm::dvec2 start = first - overhang_at(first, -way, sight, view) * way;
+    const glm::dvec2 end = last + overhang_at(last, way, sight, view) * way;
+    marks.line(first - clear * way, start, thick);
+    marks.line(last + clear * way, end, thick);
+    add_arrow(marks, start, sight, letter);
+    add_arrow(marks, end, sight, letter);
+}
+
+/// What a line through a point has of a box that it meets, as lengths along the line.
+glm::dvec2 within_box(glm::dvec2 point, glm::dvec2 way, glm::dvec2 low, glm::dvec2 high) {
+    constexpr double across = 1e-9;
+    glm::dvec2 part{-std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity()};
+    for (int axis = 0; axis < 2; ++axis) {
+        if (std::abs(way[axis]) < across) continue;
+        const double a = (low[axis] - point[axis]) / way[axis];
+        const double b = (high[axis] - point[axis]) / way[axis];
+        part = {std::max(part.x, std::min(a, b)), std::min(part.y, std::max(a, b))};
+    }
+    return part.x <= part.y ? part : glm::dvec2{0.5 * (part.x + part.y)};
+}
+
+/// A unit vector without the rounding of one along an axis of the paper.
+glm::dvec2 straightened(glm::dvec2 vector) {
+    constexpr double rounding = 1e-6;
+    for (int axis = 0; axis < 2; ++axis)
+        if (std::abs(vector[axis]) < rounding) vector[axis] = 0;
+    return glm::normalize(vector);
 }
 
 void add_section(SheetMarks& marks, const SheetSide& section, const SheetSide& shown,
                  glm::dvec2 place, double scale, glm::dvec3 center) {
     const glm::dvec3 normal = section.cut->normal;
-    const glm::dvec2 toward_eye{std::round(glm::dot(normal, shown.right)),
-                                std::round(glm::dot(normal, shown.down))};
-    const double at = glm::dot(section.cut->point - center, normal);
-    const glm::dvec2 along{std::abs(toward_eye.y), std::abs(toward_eye.x)};
-    const auto point = [&](glm::dvec2 end) {
-        return place + scale * (at * toward_eye + along * end - shown.middle);
-    };
-    add_cutting_line(marks, point(shown.low), point(shown.high), along, -toward_eye,
+    const glm::dvec2 toward_eye =
+        straightened({glm::dot(normal, shown.right), glm::dot(normal, shown.down)});
+    const bool turns = toward_eye.y > 0 || (toward_eye.y == 0 && toward_eye.x < 0);
+    const glm::dvec2 along = (turns ? -1.0 : 1.0) * glm::dvec2{-toward_eye.y, toward_eye.x};
+    const glm::dvec2 middle = glm::dot(section.cut->point - center, normal) * toward_eye;
+    const glm::dvec2 part = within_box(middle, along, shown.low, shown.high);
+    const auto on_paper = [&](glm::dvec2 point) { return place + scale * (point - shown.middle); };
+    add_cutting_line(marks, on_paper(middle + part.x * along), on_paper(middle + part.y * along),
+                     along, -toward_eye, {on_paper(shown.low), on_paper(shown.high)},
                      section.letter);
 }
 

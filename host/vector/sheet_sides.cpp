@@ -1,13 +1,14 @@
 #include "sheet_sides.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "lineatlas/error.hpp"
 #include "sheet_grid.hpp"
@@ -16,11 +17,9 @@
 namespace lineatlas {
 namespace {
 
-constexpr double parallel = 0.999; ///< cosine of axes that are one
-
-SheetSide side_of(const std::string& name, const std::string& from,
-                  std::span<const glm::vec3> points, glm::dvec3 center, glm::vec3 up) {
-    const ViewDirection direction = view_direction(from, up);
+/// `from`: the named side or the angles that it looks from; empty: an oblique section.
+SheetSide side_of(const std::string& name, const std::string& from, const ViewDirection& direction,
+                  std::span<const glm::vec3> points, glm::dvec3 center) {
     const glm::dvec3 toward{direction.toward_eye};
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3{direction.up}, toward));
     SheetSide side{.name = name,
@@ -43,56 +42,104 @@ SheetSide side_of(const std::string& name, const std::string& from,
     return side;
 }
 
-/// The side that looks along the normal of a plane. Turns the normal towards it if the plane does
-/// not say which side is cut away.
-std::string looking_along(SectionPlane& plane, glm::vec3 up) {
-    for (const char* side : {"front", "right", "top", "back", "left", "bottom"}) {
-        const double along =
-            glm::dot(plane.normal, glm::dvec3{view_direction(side, up).toward_eye});
-        if (std::abs(along) < parallel || (plane.side_is_given && along < 0)) continue;
-        if (along < 0) plane.normal = -plane.normal;
-        return side;
-    }
-    throw UsageError("a section on a sheet needs an upward axis along x, y or z");
+/// The named side that looks along the normal of a plane; empty if none does.
+std::string looking_along(const glm::dvec3& normal, glm::vec3 up) {
+    constexpr double parallel = 1 - 1e-9; // cosine
+    for (const char* side : {"front", "right", "top", "back", "left", "bottom"})
+        if (glm::dot(normal, glm::dvec3{view_direction(side, up).toward_eye}) > parallel)
+            return side;
+    return {};
 }
 
-/// Throws UsageError unless some of the model lies on either side of the plane.
-void check_meets(const std::string& name, const SectionPlane& plane, const Bounds& bounds,
-                 glm::dvec3 origin) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (plane.normal[axis] == 0) continue;
-        const double low = bounds.min[axis], high = bounds.max[axis];
-        if (plane.point[axis] > low && plane.point[axis] < high) continue;
-        throw UsageError(fmt::format("{} misses the model, which goes from {}={:g} to {:g}", name,
-                                     "xyz"[axis], low + origin[axis], high + origin[axis]));
-    }
-}
-
-SheetSide section_side(const std::string& name, std::span<const glm::vec3> points,
-                       const Bounds& bounds, const SheetOptions& options) {
+/// The plane of a section in the coordinates of the points, with a unit normal. If the text does
+/// not say which side is cut away, it is the side from which the front, the right and the top look.
+SectionPlane plane_of(const std::string& name, const Bounds& bounds, const SheetOptions& options) {
     const std::string_view text = *section_of(name);
     SectionPlane plane = parse_section(text, bounds);
     if (!text.ends_with('%')) plane.point -= options.origin;
-    const std::string from = looking_along(plane, options.up);
-    check_meets(name, plane, bounds, options.origin);
-    const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
-    SheetSide side = side_of(name, from, points, center, options.up);
-    side.cut = std::move(plane);
-    return side;
+    const glm::dvec3 size = glm::abs(plane.normal);
+    plane.normal = glm::normalize(plane.normal / std::max({size.x, size.y, size.z}));
+    glm::dvec3 usual{0};
+    for (const char* side : {"front", "right", "top"})
+        usual += glm::dvec3{view_direction(side, options.up).toward_eye};
+    if (!plane.side_is_given && glm::dot(plane.normal, usual) < 0) plane.normal = -plane.normal;
+    return plane;
 }
 
-/// The first side that shows the plane of a section as a line.
-std::size_t side_with_line(const SheetSide& section, const std::vector<SheetSide>& sides) {
-    const auto shows_line = [&](const SheetSide& side) {
-        const double along = glm::dot(glm::dvec3{side.direction.toward_eye}, section.cut->normal);
-        return !side.cut && !side.pictorial && std::abs(along) < 1 - parallel;
+/// Throws UsageError unless some of the model lies on either side of the plane.
+void check_meets(const std::string& name, const SectionPlane& plane,
+                 std::span<const glm::vec3> points, const Bounds& bounds, glm::dvec3 origin) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const glm::vec3& point : points) {
+        const double height = glm::dot(glm::dvec3{point} - plane.point, plane.normal);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    if (low < 0 && high > 0) return;
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(plane.normal[axis]) == 1)
+            throw UsageError(fmt::format("{} misses the model, which goes from {}={:g} to {:g}",
+                                         name, "xyz"[axis], bounds.min[axis] + origin[axis],
+                                         bounds.max[axis] + origin[axis]));
+    throw UsageError(fmt::format("{} misses the model, which goes from {:g} to {:g} along the "
+                                 "plane's normal, counted from the plane",
+                                 name, low, high));
+}
+
+/// How a section is seen whose plane is a line on `shown`: turned about that line, as
+/// projection has it.
+ViewDirection turned_about_line(const SheetSide& shown, glm::dvec3 normal) {
+    const glm::dvec2 on_paper =
+        glm::normalize(glm::dvec2{glm::dot(normal, shown.right), glm::dot(normal, shown.down)});
+    const glm::dvec3 line = -on_paper.y * shown.right + on_paper.x * shown.down;
+    const glm::dvec3 up = on_paper.y * glm::dvec3{shown.direction.toward_eye} - on_paper.x * line;
+    return {.toward_eye = normal, .up = up};
+}
+
+/// A view in which a plane would be a line.
+std::string view_along(const glm::dvec3& normal, glm::vec3 up) {
+    const auto along = [&](const char* side) {
+        return glm::dot(normal, glm::dvec3{view_direction(side, up).toward_eye});
     };
-    const auto found = std::ranges::find_if(sides, shows_line);
-    if (found == sides.end())
-        throw UsageError(fmt::format(
-            "{}: no view shows its plane as a line; add {} to the views", section.name,
-            section.side == "front" || section.side == "back" ? "top or right" : "front"));
-    return static_cast<std::size_t>(found - sides.begin());
+    constexpr double small = 1e-6;
+    if (std::abs(along("front")) < small) return "front";
+    if (std::abs(along("top")) < small) return "top";
+    if (std::abs(along("right")) < small) return "right";
+    const double azimuth = std::atan2(-along("front"), along("right"));
+    return fmt::format("{:.5g},0", glm::degrees(azimuth));
+}
+
+/// The first side that shows the plane of a section as a line, if there is one an aligned side.
+std::size_t side_with_line(const std::string& name, glm::dvec3 normal,
+                           const std::vector<SheetSide>& sides, glm::vec3 up) {
+    for (const bool pictorial : {false, true}) {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            constexpr double flat = 1e-3; // sine
+            const double along = glm::dot(glm::dvec3{sides[i].direction.toward_eye}, normal);
+            if (!section_of(sides[i].name) && sides[i].pictorial == pictorial &&
+                std::abs(along) < flat)
+                return i;
+        }
+    }
+    throw UsageError(fmt::format("{}: no view shows its plane as a line; add {} to the views", name,
+                                 view_along(normal, up)));
+}
+
+/// `sides`: the views that are no sections stand at their places.
+SheetSide section_side(const std::string& name, const std::vector<SheetSide>& sides,
+                       std::span<const glm::vec3> points, const Bounds& bounds,
+                       const SheetOptions& options) {
+    SectionPlane plane = plane_of(name, bounds, options);
+    check_meets(name, plane, points, bounds, options.origin);
+    const std::size_t shown_on = side_with_line(name, plane.normal, sides, options.up);
+    const std::string from = looking_along(plane.normal, options.up);
+    const ViewDirection direction = from.empty() ? turned_about_line(sides[shown_on], plane.normal)
+                                                 : view_direction(from, options.up);
+    const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
+    SheetSide side = side_of(name, from, direction, points, center);
+    side.cut = std::move(plane);
+    side.shown_on = shown_on;
+    return side;
 }
 
 /// `origin`: the middle of the model in the file's coordinates.
@@ -149,17 +196,21 @@ std::optional<std::string_view> section_of(std::string_view view) {
 std::vector<SheetSide> sheet_sides(std::span<const glm::vec3> points, const Bounds& bounds,
                                    const SheetOptions& options) {
     const glm::dvec3 center = 0.5 * (glm::dvec3{bounds.min} + glm::dvec3{bounds.max});
-    std::vector<SheetSide> sides;
-    for (const std::string& view : options.views)
-        sides.push_back(section_of(view) ? section_side(view, points, bounds, options)
-                                         : side_of(view, view, points, center, options.up));
+    std::vector<SheetSide> sides(options.views.size());
+    for (const bool sections : {false, true}) {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const std::string& view = sides[i].name = options.views[i];
+            if (section_of(view).has_value() != sections) continue;
+            sides[i] = sections
+                           ? section_side(view, sides, points, bounds, options)
+                           : side_of(view, view, view_direction(view, options.up), points, center);
+        }
+    }
     for (const SheetPlacement& placed : options.placements) {
         SheetSide& side = *std::ranges::find(sides, placed.view, &SheetSide::name);
         side.at = placed.at;
         side.scale = placed.scale;
     }
-    for (std::size_t i = 0; i < sides.size(); ++i)
-        if (sides[i].cut) sides[i].shown_on = side_with_line(sides[i], sides);
     for (const SheetDetail& detail : options.details)
         sides.push_back(detail_side(detail, sides, center + options.origin));
     give_letters(sides);

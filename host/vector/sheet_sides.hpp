@@ -16,7 +16,8 @@ namespace lineatlas {
 /// A view as it looks at the model. Lengths are in units of the model, from its middle, y down.
 struct SheetSide {
     std::string name;
-    std::string side; ///< from which it looks: name, or that of a section; empty: a detail
+    /// From which it looks: name, or that of a section; empty: a detail or an oblique section.
+    std::string side;
     std::string letter{};
     bool pictorial = false;
     ViewDirection direction{};

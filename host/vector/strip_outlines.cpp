@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -93,16 +95,64 @@ void add_remainders(Strip& strip) {
     }
 }
 
+/// How much of a stretch lies beside which background, in pixels.
+struct Beside {
+    double around = 0, enclosed = 0;
+};
+
+/// Adds what lies beside a part of a segment, by shares of its way.
+void add_beside(const ScreenSegment& segment, double from, double to, const Background& background,
+                Beside& beside) {
+    constexpr double step = 4; // pixels
+    // Far enough for a texel that is not on the line.
+    const double reach = 1.5 * background.texel();
+    const glm::dvec2 way = segment.q.at - segment.p.at;
+    const glm::dvec2 off = reach / segment.length * glm::dvec2{-way.y, way.x};
+    const double length = (to - from) * segment.length;
+    const double count = std::ceil(length / step);
+    for (double i = 0.5; i < count; ++i) {
+        const glm::dvec2 place = segment.p.at + way * (from + (to - from) * i / count);
+        const Ground left = background.at(place + off), right = background.at(place - off);
+        if (left == Ground::around || right == Ground::around)
+            beside.around += length / count;
+        else if (left == Ground::enclosed || right == Ground::enclosed)
+            beside.enclosed += length / count;
+    }
+}
+
+bool is_rim_of_hole(const Strip& strip, Stretch stretch, const Pieces& pieces,
+                    const Background& background) {
+    Beside beside;
+    for (const StripStep& step : strip.steps) {
+        const ScreenSegment& segment = pieces.screen[step.screen];
+        if (!(segment.length > 0)) continue;
+        double from = std::clamp((stretch.from - step.start) / segment.length, 0.0, 1.0);
+        double to = std::clamp((stretch.to - step.start) / segment.length, 0.0, 1.0);
+        if (!(from < to)) continue;
+        if (step.reversed) {
+            from = 1 - from;
+            to = 1 - to;
+            std::swap(from, to);
+        }
+        add_beside(segment, from, to, background, beside);
+    }
+    return beside.enclosed > beside.around;
+}
+
 } // namespace
 
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
-                   std::span<const OutlinePart> outlines, double picture_height) {
+                   std::span<const OutlinePart> outlines, double picture_height,
+                   const Background& background) {
     PartsOfSegment parts;
     for (const OutlinePart& part : outlines) parts.emplace(part.segment, &part);
     if (parts.empty()) return;
     for (Strip& strip : strips) {
         add_stretches(strip, pieces, parts, picture_height);
         tidy(strip);
+        std::erase_if(strip.outlines, [&](Stretch stretch) {
+            return is_rim_of_hole(strip, stretch, pieces, background);
+        });
         add_remainders(strip);
     }
 }

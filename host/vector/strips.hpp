@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "background.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 #include "pieces.hpp"
@@ -51,8 +52,10 @@ struct Strip {
 /// Makes strips of pieces. Silhouettes are chained at the mesh's vertices, the straightest first.
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
 
-/// Marks the stretches of every strip with the background on one side.
+/// Marks the stretches of every strip that have the background around the model on one side. Rims
+/// of holes, beside background that the model surrounds, are not marked.
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
-                   std::span<const OutlinePart> outlines, double picture_height);
+                   std::span<const OutlinePart> outlines, double picture_height,
+                   const Background& background);
 
 } // namespace lineatlas

@@ -223,6 +223,10 @@ TEST(Sheet, ViewsAreNamedInAList) {
     EXPECT_EQ(parse_views("30,-20.5,back"), (std::vector<std::string>{"30,-20.5", "back"}));
     EXPECT_EQ(parse_views("front,section:-x=5%,30,20"),
               (std::vector<std::string>{"front", "section:-x=5%", "30,20"}));
+    EXPECT_EQ(parse_views("front,section:1,2,3/0,-1,1,30,20"),
+              (std::vector<std::string>{"front", "section:1,2,3/0,-1,1", "30,20"}));
+    for (const char* wrong : {"section:1,2,3", "section:1,2,3/0,1", "section:1,2,3/0,0,0"})
+        EXPECT_THROW(parse_views(wrong), UsageError) << wrong;
     for (const char* wrong : {"", "front,", "front,,top", "middle", "front,30", "front,top,front"})
         EXPECT_THROW(parse_views(wrong), UsageError) << wrong;
     EXPECT_THROW(lay_out_sheet({}), UsageError);
@@ -509,6 +513,52 @@ TEST(Sheet, ASectionHasAGroupAndLayers) {
                  UsageError);
 }
 
+TEST(Sheet, AnObliqueSectionIsTurnedAboutTheLineOfItsPlane) {
+    const Box box;
+    const glm::vec3 middle = 0.5F * (box.low + box.high);
+    // From above the plane is a line from the lower left to the upper right.
+    const SheetLayout layout =
+        box.layout({.views = {"section:28.7,42.7,40.1/1,0,1", "top"}, .page = parse_page("a2")});
+    const SheetView &section = layout.views[0], &top = layout.views[1];
+    const glm::dvec2 toward_eye = glm::normalize(glm::dvec2{1, 1});
+    const auto way = [&](const SheetView& view, glm::vec3 along) {
+        return on_paper(view, middle + 10.0F * glm::normalize(along)) - on_paper(view, middle);
+    };
+    const double length = glm::length(way(top, {1, 0, -1}));
+    EXPECT_LT(glm::distance(way(section, {1, 0, -1}), way(top, {1, 0, -1})), 1e-3);
+    EXPECT_LT(glm::distance(way(section, {0, 1, 0}), -length * toward_eye), 1e-3);
+    EXPECT_LT(glm::length(way(section, {1, 0, 1})), 1e-3);
+    EXPECT_NEAR(glm::length(section.cut->normal), 1, 1e-12);
+    std::vector<SheetLine> thick = lines_on(layout, "sections", 0.5);
+    std::erase_if(thick, [](const SheetLine& line) { return line.points.size() > 2; }); // heads
+    ASSERT_EQ(thick.size(), 4U); // two ends and two arrows
+    const glm::dvec2 at = on_paper(top, middle);
+    const SheetBox around{top.low, top.high};
+    for (const SheetLine& line : thick)
+        EXPECT_FALSE(around.meets({line.points[1], line.points[1]}, 0.5));
+    for (const std::size_t end : {0U, 1U}) {
+        for (const glm::dvec2 point : thick[end].points)
+            EXPECT_NEAR(glm::dot(point - at, toward_eye), 0, 1e-3);
+        const std::vector<glm::dvec2>& arrow = thick[2 + end].points;
+        EXPECT_LT(glm::distance(arrow[0], thick[end].points[1]), 1e-9);
+        EXPECT_LT(glm::distance(arrow[1], arrow[0] + 9.0 * toward_eye), 1e-6);
+    }
+    for (const SheetText& text : layout.texts) {
+        if (text.text != "A") continue;
+        const glm::dvec2 half{2.5, 2.5}, center = text.at - glm::dvec2{0, 2.5};
+        EXPECT_FALSE(around.meets({center - half, center + half}, 0));
+    }
+    // Pictorial views show the line of a plane that no aligned view shows.
+    const SheetLayout pictorial =
+        box.layout({.views = {"-45,0", "section:0,20,20/1,1,1"}, .page = parse_page("a2")});
+    EXPECT_EQ(pictorial.views[1].letter, "A");
+    // A plane across an axis stands where its side would, however it is written.
+    const SheetLayout across =
+        box.layout({.views = {"front", "section:10,0,0/2,0,0"}, .page = parse_page("a2")});
+    EXPECT_GT(across.views[1].low.x, across.views[0].high.x);
+    EXPECT_FALSE(across.views[1].pictorial);
+}
+
 TEST(Sheet, SectionsThatCannotBeAreRefused) {
     const auto refused = [](std::vector<std::string> views, const std::string& words) {
         try {
@@ -522,7 +572,11 @@ TEST(Sheet, SectionsThatCannotBeAreRefused) {
             "section:x=200 misses the model, which goes from x=-31.3 to 88.7");
     refused({"front", "section:z=40"}, "section:z=40: no view shows its plane as a line; add top");
     refused({"top", "isometric", "section:y=50%"}, "add front");
-    refused({"front", "section:0,0,40/0,1,1"}, "lies across an axis");
+    refused({"front", "section:0,20,20/0,1,1"}, "no view shows its plane as a line; add right");
+    refused({"top", "section:0,20,20/1,1,0"}, "no view shows its plane as a line; add front");
+    refused({"front", "section:0,20,20/1,1,1"}, "no view shows its plane as a line; add -45,0");
+    refused({"right", "section:0,0,0/0,3,4"},
+            "misses the model, which goes from 14.7 to 100.7 along the plane's normal");
     refused({"front", "section:w=1"}, "section \"w=1\" is none");
     refused({"front", "section:x=1", "section:x=1"}, "named twice");
     std::vector<std::string> many{"front"};
@@ -622,6 +676,18 @@ TEST(Sheet, ViewsArePlacedByHand) {
     refused({.views = {"front"}, .placements = {{.view = "top"}}}, "the sheet does not have it");
     refused({.views = {"front"}, .placements = {{.view = "front"}, {.view = "front"}}},
             "placed twice");
+    // Views without a place may leave it at the scale of the sheet, wherever they begin.
+    const Box flat{{0, 0, 0}, {300, 50, 10}};
+    EXPECT_EQ((flat.layout({.views = {"top", "right", "front"},
+                            .placements = {{"front", glm::dvec2{280, 194.7}, "1:10"}}})
+                   .scale),
+              "1:1");
+    refused({.views = {"top", "front"}, .placements = {{"front", glm::dvec2{215, 148.5}, "1:5"}}},
+            "meets \"top\"; place it elsewhere");
+    refused({.views = {"front"},
+             .details = {{.view = "front", .center = box.high, .radius = 10}},
+             .scale = "5000000000:1"},
+            "ISO 5455 has no scale twice as large as 5000000000:1; give the detail a scale");
     // The scale of a sheet is the largest that fits, or that of its views.
     EXPECT_EQ(box.layout(front_at({90, 100}, "")).scale, "1:1");
     EXPECT_EQ(box.layout(front_at({60, 100}, "")).scale, "1:2");
@@ -648,6 +714,9 @@ TEST(Sheet, DetailsThatCannotBeAreRefused) {
     EXPECT_EQ(parsed.center, (glm::dvec3{20, -35, 0.5}));
     EXPECT_EQ(parsed.radius, 8);
     EXPECT_EQ(parsed.scale, "5:1");
+    const std::string oblique = "section:1,2,3/0,1,1";
+    EXPECT_EQ(parse_detail(oblique + "/4,5,6/2").view, oblique);
+    EXPECT_EQ(parse_detail(oblique + "/4,5,6/2").radius, 2);
     for (const char* wrong : {"", "front", "front/1,2/8", "front/1,2,3", "front/1,2,3/0",
                               "front/1,2,3/-2", "front/1,2,3/8/big", "front/1,2,3,4/8"})
         EXPECT_THROW(parse_detail(wrong), UsageError) << wrong;

@@ -235,6 +235,55 @@ TEST(Outlines, ThinPartsHaveNone) {
     }
 }
 
+/// A plate from -1 to 1 with a round through hole, seen from z. Its thickness is `depth`.
+Mesh plate_with_hole(float radius, float depth) {
+    constexpr std::uint32_t sides = 48;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / sides;
+        const glm::vec2 round{std::cos(angle), std::sin(angle)};
+        const glm::vec2 square = round / std::max(std::abs(round.x), std::abs(round.y));
+        for (const float z : {-0.5F * depth, 0.5F * depth})
+            for (const glm::vec2 at : {square, radius * round}) mesh.positions.emplace_back(at, z);
+    }
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.emplace_back(a, b, c);
+        mesh.triangles.emplace_back(a, c, d);
+    };
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t a = 4 * i, b = 4 * ((i + 1) % sides);
+        quad(a + 2, b + 2, b + 3, a + 3); // the front
+        quad(b, a, a + 1, b + 1);
+        quad(a, b, b + 2, a + 2);
+        quad(b + 1, a + 1, a + 3, b + 3); // the wall of the hole
+    }
+    return mesh;
+}
+
+TEST(Outlines, RimsOfThroughHolesHaveNone) {
+    const LineSet lines = extract_lines(plate_with_hole(0.5F, 0.2F));
+    for (const glm::vec3 eye : {glm::vec3{0, 0, 20}, glm::vec3{6, 4, 20}}) {
+        for (const float height : {2.6F, 0.9F}) {
+            SCOPED_TRACE(height + eye.x);
+            const View view{.eye = eye, .projection = Projection::orthographic};
+            const Camera camera = make_camera(with_shown_height(view, height), size, lines.bounds);
+            const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+            double rim = 0, outline_of_rim = 0, outline_of_plate = 0;
+            for (const VectorPath& path : drawing.paths) {
+                if (!path.visible) continue;
+                EXPECT_EQ(drawing.pens.at(path.pen).width, path.outline ? 6 : 2);
+                const bool at_hole = glm::length(glm::dvec2{path.points.front().world}) < 0.6;
+                if (at_hole) rim += length_of(path);
+                if (path.outline) (at_hole ? outline_of_rim : outline_of_plate) += length_of(path);
+            }
+            EXPECT_GT(rim, 200);
+            // In the larger picture the hole is not seen as a whole: it may be a bay.
+            EXPECT_EQ(outline_of_rim > 0, height < 1);
+            EXPECT_EQ(outline_of_plate > 0, height > 1);
+        }
+    }
+}
+
 TEST(Pens, EveryRuleThatMatchesChangesWhatItNames) {
     Mesh mesh;
     add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "Bolt 7", .material = "steel"});

@@ -82,9 +82,11 @@ struct SheetOptions {
     /// Sides to look from, as view_direction() takes them, each once, 64 at most. The six named
     /// sides are aligned with the front; any other side is a pictorial view, which shows no hidden
     /// lines and is placed where there is room. "section:x=12" is a section: the model cut by a
-    /// plane, as parse_section() takes one across an axis, seen from the side that is cut away; by
-    /// "section:x=12" the front, the right or the top. It stands where that side would stand, or
-    /// on the right of it, and the first view that shows the plane as a line has that line.
+    /// plane, as parse_section() takes it, seen from the side that is cut away; by "section:x=12"
+    /// the front, the right or the top. It stands where that side would stand, or on the right of
+    /// it. A section that no named side looks at, as "section:0,0,0/1,1,0", is placed where there
+    /// is room, turned about the line of its plane. The first view that shows the plane as a line
+    /// has that line; if there is one, an aligned view.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
     /// Views that stand elsewhere than the angle of projection says, or have another scale; each
     /// view at most once.
@@ -108,8 +110,8 @@ struct SheetOptions {
 };
 
 /// "front,30,20,section:x=12" as "front", "30,20" and "section:x=12". Throws UsageError for a side
-/// that view_direction() does not know, for a plane that parse_section() does not know or that lies
-/// across no axis, for a view that is named twice, and for none.
+/// that view_direction() does not know, for a plane that parse_section() does not know, for a view
+/// that is named twice, and for none.
 LINEATLAS_API std::vector<std::string> parse_views(std::string_view text);
 
 /// The sheet that a TOML file describes (docs/sheets.md): page, angle, scale, views, details and
