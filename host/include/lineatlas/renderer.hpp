@@ -48,17 +48,16 @@ enum class StageForm {
     compute,   ///< in kernels
 };
 
-/// The forms of stages, for measurements and for finding faults. `automatic` takes the form that is
-/// known to be faster. Pictures of the two other forms differ only by rounding.
+/// The forms of stages, for measurements and for finding faults. Pictures of the two other forms differ only by rounding.
 struct StageForms {
     /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples.
     StageForm atlas = StageForm::automatic;
-    /// Depth (§3.2), and a fill by it; both forms cover the same texels but for a few in 100,000.
-    /// Methods atlas and spine, exact for its fill.
+    /// Depth (§3.2), and a fill by that depth. The two forms cover the same texels, except a few in
+    /// 100,000. For the methods atlas and spine, and for the fill of exact.
     StageForm depth = StageForm::automatic;
-    /// Strokes (§4.4). Kernels draw marks that are even across the stroke
-    /// (solid, dashed) with butt and round caps and joins without bevels, to pictures of 8 bits,
-    /// with no profiles and no focus; whatever else a frame asks for is drawn by GL.
+    /// Strokes (§4.4). Kernels draw pictures of 8 bits with marks that are even across the stroke
+    /// (solid, dashed), butt and round caps, and joins without bevels, but no profiles and no focus.
+    /// GL draws all of a frame that asks for anything else.
     StageForm strokes = StageForm::automatic;
 };
 

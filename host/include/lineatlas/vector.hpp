@@ -90,7 +90,8 @@ struct VectorPath {
     bool visible = true;              ///< visible all along; else hidden all along
     bool closed = false;              ///< the last point is where the first one is
     bool outline = false;             ///< has the background around the model beside it all along
-    /// Left out where lines are dense (Style::density): files have it where it is not shown.
+    /// Left out where lines are dense (Style::density): files have the path on a layer that is not
+    /// shown.
     bool thinned = false;
     std::uint32_t pen = 0;           ///< index into VectorDrawing::pens, or hidden_pens
     float alpha = 1;                 ///< mean visibility
