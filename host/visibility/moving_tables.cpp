@@ -77,16 +77,18 @@ void MovingTables::transform(const Rest& rest, compute::Buffer* drawn) {
         unread_.fit(vertex_count_ * sizeof(glm::vec3));
         drawn = unread_.get();
     }
-    stages_.transform({.rest = rest.vertices,
-                       .objects = *objects_,
-                       .matrices = *matrices_,
-                       .vertex_count = vertex_count_,
-                       .vertices = *vertices_,
-                       .drawn = *drawn,
-                       .rest_clusters = rest.clusters != nullptr ? *rest.clusters : *clusters_,
-                       .cluster_objects = *cluster_objects_,
-                       .cluster_count = cluster_count_,
-                       .clusters = *clusters_});
+    stages_.launch_each<compute::kernels::transform>(vertex_count_, {.rest = rest.vertices,
+                                                                     .objects = *objects_,
+                                                                     .matrices = *matrices_,
+                                                                     .vertices = *vertices_,
+                                                                     .drawn = *drawn});
+    if (rest.clusters != nullptr) {
+        stages_.launch_each<compute::kernels::transform_boxes>(cluster_count_,
+                                                               {.rest = *rest.clusters,
+                                                                .objects = *cluster_objects_,
+                                                                .matrices = *matrices_,
+                                                                .clusters = *clusters_});
+    }
     if (turns_ && rest.corners != nullptr) {
         stages_.launch_each<compute::kernels::contour_turn>(
             corner_count_,

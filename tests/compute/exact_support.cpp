@@ -38,7 +38,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
 
     compute::ExactVisibility exact{stages};
     exact.begin(table, camera, lines.bounds, contact_of(lines));
-    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
+    stages.facing(table, camera.eye(), *front);
     const glm::mat4 m = camera.clip_from_world();
     stages.project_clip({.table = table,
                          .front = *front,

@@ -171,13 +171,15 @@ void append_planes(std::vector<std::byte>& result, compute::Stages& stages, cons
     const auto corners = to_device(device, built.corners);
     const auto vertices = to_device(device, lines.vertices);
     const auto planes = device.allocate(lines.triangles.size() * sizeof(glm::vec4));
-    stages.planes({.model = {*clusters, *meshlets, *vertex_list, *corners,
-                             static_cast<std::uint32_t>(parts.clusters.size())},
-                   .vertices = *vertices,
-                   .view = surface_view(camera),
-                   .contact = 0.001F,
-                   .seen = nullptr,
-                   .planes = *planes});
+    const compute::MeshletTables model{*clusters, *meshlets, *vertex_list, *corners,
+                                       static_cast<std::uint32_t>(parts.clusters.size())};
+    stages.launch<compute::kernels::planes>(
+        model.count,
+        {.count = model.count,
+         .world_from_screen = surface_view(camera).world_from_screen,
+         .contact = 0.001F,
+         .only_seen = 0},
+        {.vertices = vertices.get(), .seen = nullptr, .planes = planes.get()}, model);
     append(result, read_back<glm::vec4>(device, *planes, lines.triangles.size()));
 }
 

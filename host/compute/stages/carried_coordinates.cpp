@@ -1,13 +1,6 @@
 #include "carried_coordinates.hpp"
 
 namespace lineatlas::compute {
-namespace {
-
-struct Arcs {
-    Buffer& arcs;
-};
-
-} // namespace
 
 void CarriedCoordinates::release() {
     tables_ = {tables_.device};
@@ -35,8 +28,8 @@ void CarriedCoordinates::apply(const RunTable& runs) {
     if (count_ == 0) return;
     stages_.launch<kernels::carry_runs>(
         runs.capacity,
-        {.count = runs.capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0}, tables_,
-        runs, Arcs{*arcs_});
+        {.count = runs.capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0},
+        {.arcs = arcs_}, tables_, runs);
 }
 
 } // namespace lineatlas::compute

@@ -11,12 +11,6 @@
 
 namespace lineatlas::compute {
 
-struct FacingArgs {
-    SegmentTable table;
-    glm::vec4 eye; ///< Camera::eye()
-    Buffer& front; ///< out: a byte per triangle
-};
-
 /// The tables of the stages that find silhouettes, see kernels/chain.cl for what each holds.
 struct ChainTables {
     Device* device;

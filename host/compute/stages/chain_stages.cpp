@@ -7,14 +7,6 @@
 namespace lineatlas::compute {
 namespace {
 
-// Groups of one table, for launches.
-struct Front {
-    Buffer& front;
-};
-struct Facing {
-    Buffer& facing;
-};
-
 ContourParameters parameters_of(const SilhouetteCandidates& candidates, const glm::vec4& eye) {
     return {.count = 0,
             .first_vertex = candidates.contours->vertex_count,
@@ -31,26 +23,28 @@ void Stages::contour(const SegmentTable& table, const glm::vec4& eye, const Chai
     const ContourTables& contours = *table.candidates.contours;
     ContourParameters parameters = parameters_of(table.candidates, eye);
     parameters.count = static_cast<std::uint32_t>(contours.corners->size() / sizeof(ContourCorner));
-    const Facing facing{scratch(Scratch::corner_facing, parameters.count)};
-    launch<kernels::contour_facing>(parameters.count, parameters, contours, table, facing);
+    Buffer& facing = scratch(Scratch::corner_facing, parameters.count);
+    launch<kernels::contour_facing>(parameters.count, parameters, {.facing = &facing}, contours,
+                                    table);
     parameters.count = contours.face_count;
-    launch<kernels::contour_cross>(parameters.count, parameters, contours, facing, tables);
+    launch<kernels::contour_cross>(parameters.count, parameters, {.facing = &facing}, contours,
+                                   tables);
 }
 
 void Stages::contour_places(const ChainArgs& args, Buffer& front) {
     ContourParameters parameters = parameters_of(args.table.candidates, args.view.eye);
     parameters.count = args.count;
     parameters.on_surface = args.lifted ? 0 : 1;
-    launch<kernels::contour_places>(args.count, parameters, Front{front},
-                                    *args.table.candidates.contours, args.table, args.tables, args,
-                                    Facing{scratch(Scratch::corner_facing)});
+    launch<kernels::contour_places>(args.count, parameters,
+                                    {.facing = &scratch(Scratch::corner_facing), .front = &front},
+                                    *args.table.candidates.contours, args.table, args.tables, args);
 }
 
 void Stages::silhouette(const SegmentTable& table, Buffer& front, const ChainTables& tables) {
     const std::uint32_t count = table.candidates.kept_edges();
     launch<kernels::silhouette>(
         count, {.count = count, .first = table.candidates.first, .replaced = count, .contours = 0},
-        Front{front}, table, tables);
+        {.front = &front}, table, tables);
     scan(*tables.numbers, table.candidates.drawable(), ScanKind::saturate);
 }
 

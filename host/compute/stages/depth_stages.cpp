@@ -16,11 +16,6 @@ float guard_band(glm::ivec2 whole_size) {
     return std::clamp(most_texels / side, 1.0F, widest);
 }
 
-// Groups of one table, for launches.
-struct Places {
-    Buffer& places;
-};
-
 /// The clusters in their order, and what tiles are drawn to.
 struct TileTables {
     Buffer& boxes;
@@ -89,11 +84,11 @@ void Stages::depth(const DepthArgs& args) {
                                .chunks = 0,
                                .numbered = 0,
                                .finds = LA_FINDS_DEPTHS};
-    const Places places{
-        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4)};
-    launch<kernels::depth_bin>(model.count, parameters, model, args, places);
+    Buffer& places =
+        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4);
+    launch<kernels::depth_bin>(model.count, parameters, {.places = &places}, model, args);
     if (tiles.x <= 0 || tiles.y <= 0) return;
-    if (tuning_.depth_each) return depth_each(args, parameters, places.places);
+    if (tuning_.depth_each) return depth_each(args, parameters, places);
     // Each launch goes on from the depth that the one before has stored.
     const bool keeps_depth =
         args.depth != nullptr || args.numbers == nullptr || model.count > tuning_.depth_clusters;
@@ -111,7 +106,7 @@ void Stages::depth(const DepthArgs& args) {
         .numbers = args.numbers != nullptr ? *args.numbers : scratch(Scratch::depth_no_numbers, 1),
         .pyramid = args.tiles,
         .blank = blank_tiles(args)};
-    launch_grouped<kernels::depth_order>(1, 1, parameters, places, tables);
+    launch_grouped<kernels::depth_order>(1, 1, parameters, {.places = &places}, tables);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
     do {
@@ -178,15 +173,6 @@ void Stages::depth_each(const DepthArgs& args, DepthParameters parameters, Buffe
     launch<kernels::depth_end>(blocks, parameters, tables, model, args);
     // Numbers say of each texel which cluster is seen there.
     if (!numbered) launch<kernels::depth_seen>(model.count, parameters, tables, args);
-}
-
-void Stages::planes(const PlanesArgs& args) {
-    launch<kernels::planes>(args.model.count,
-                            {.count = args.model.count,
-                             .world_from_screen = args.view.world_from_screen,
-                             .contact = args.contact,
-                             .only_seen = args.seen != nullptr ? 1U : 0U},
-                            args.model, args);
 }
 
 } // namespace lineatlas::compute

@@ -17,10 +17,7 @@ std::uint32_t face_slices(std::uint32_t triangles) {
     return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
 }
 
-/// The ranges by which lists are sorted, and the places of their entries.
-struct ListRanges {
-    Buffer& ranges;
-};
+/// The entries of lists by their keys, and where each stands in order.
 struct KeyTables {
     Buffer &keys, &placed;
 };
@@ -28,9 +25,6 @@ struct KeyTables {
 /// The visible parts of segments in each tile, before they are joined.
 struct PieceTables {
     Buffer &piece_offsets, &part_offsets, &piece_kept;
-};
-struct RawParts {
-    Buffer& raw_parts;
 };
 
 } // namespace
@@ -85,17 +79,18 @@ void ExactVisibility::tile_lists() {
         divide_up(parameters.triangle_count, parameters.chunk) * parameters.slices;
     device_.clear(*lists_.ends, counts * sizeof(la_uint));
     stages_.launch_grouped<kernels::tile_lists_count>(chunks, tuning.block_local_size, parameters,
-                                                      *table_, lists_, optional(),
-                                                      Counts{*lists_.ends});
+                                                      {.counts = lists_.ends.get()}, *table_,
+                                                      lists_, optional());
     stages_.scan(*lists_.ends, counts, ScanKind::saturate);
-    stages_.launch<kernels::tile_lists_groups>(tiles(), parameters, lists_, Offsets{*lists_.ends});
+    stages_.launch<kernels::tile_lists_groups>(tiles(), parameters, {.offsets = lists_.ends.get()},
+                                               lists_);
     stages_.scan(*lists_.groups, tiles(), ScanKind::saturate);
     const std::size_t ranged = tuning.face_lists ? std::size_t{2} * tiles() : 1;
     Buffer& ranges = stages_.scratch(Scratch::list_ranges, ranged);
     device_.clear(ranges, ranged * sizeof(la_uint));
     stages_.launch_grouped<kernels::tile_lists_fill>(chunks, tuning.block_local_size, parameters,
-                                                     *table_, lists_, optional(),
-                                                     ListRanges{ranges});
+                                                     {.ranges = &ranges}, *table_, lists_,
+                                                     optional());
     if (tuning.face_lists) return arrange_by_entries(parameters, ranges);
     stages_.launch_grouped<kernels::tile_lists_arrange>(tiles(), tuning.block_local_size,
                                                         parameters, *table_, lists_);
@@ -108,8 +103,8 @@ void ExactVisibility::arrange_by_entries(const ExactParameters& parameters, Buff
         stages_.scratch(Scratch::list_keys, std::size_t{keys} + 1),
         stages_.scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
     device_.clear(sorted.keys, keys * sizeof(la_uint));
-    stages_.launch<kernels::tile_lists_keys>(entries, parameters, lists_, sorted,
-                                             ListRanges{ranges});
+    stages_.launch<kernels::tile_lists_keys>(entries, parameters, {.ranges = &ranges}, lists_,
+                                             sorted);
     stages_.scan(sorted.keys, keys, ScanKind::saturate);
     stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, sorted);
     stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, sorted);
@@ -129,8 +124,8 @@ void ExactVisibility::find_spans(const Lines& lines) {
     if (device_.tuning().face_lists)
         count_pieces(lines, parameters);
     else
-        stages_.launch<kernels::visible_count>(n, parameters, *table_, lines, lines.clipped, lists_,
-                                               optional(), lines.found, Counts{offsets});
+        stages_.launch<kernels::visible_count>(n, parameters, {.counts = &offsets}, *table_, lines,
+                                               lines.clipped, lists_, optional(), lines.found);
     stages_.scan(offsets, n, ScanKind::saturate);
     write_spans(lines);
 }
@@ -138,21 +133,22 @@ void ExactVisibility::find_spans(const Lines& lines) {
 void ExactVisibility::count_pieces(const Lines& lines, const ExactParameters& parameters) {
     const std::uint32_t n = parameters.count;
     Buffer& offsets = stages_.scratch(Scratch::piece_offsets, std::size_t{n} + 1);
-    stages_.launch<kernels::visible_pieces>(n, parameters, *table_, lines, lines.clipped, lists_,
-                                            optional(), Counts{offsets});
+    stages_.launch<kernels::visible_pieces>(n, parameters, {.counts = &offsets}, *table_, lines,
+                                            lines.clipped, lists_, optional());
     stages_.scan(offsets, n, ScanKind::saturate);
     const auto count = read_one<la_uint>(device_, offsets, n);
     const PieceTables pieces{offsets, stages_.scratch(Scratch::piece_parts, std::size_t{count} + 1),
                              stages_.scratch(Scratch::piece_kept, std::size_t{4} * count)};
-    stages_.launch<kernels::visible_cut>(count, parameters, *table_, lines, lines.clipped, lists_,
-                                         optional(), pieces, Counts{pieces.part_offsets});
+    stages_.launch<kernels::visible_cut>(count, parameters, {.counts = &pieces.part_offsets},
+                                         *table_, lines, lines.clipped, lists_, optional(), pieces);
     stages_.scan(pieces.part_offsets, count, ScanKind::saturate);
     const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
-    const RawParts raw{stages_.scratch(Scratch::raw_parts, 2 * parts)};
-    stages_.launch<kernels::visible_parts>(count, parameters, *table_, lines, lines.clipped, lists_,
-                                           optional(), pieces, raw);
-    stages_.launch<kernels::visible_join>(n, parameters, lines.clipped, pieces, raw,
-                                          Counts{*lines.found.offsets});
+    Buffer& raw = stages_.scratch(Scratch::raw_parts, 2 * parts);
+    stages_.launch<kernels::visible_parts>(count, parameters, {.raw_parts = &raw}, *table_, lines,
+                                           lines.clipped, lists_, optional(), pieces);
+    stages_.launch<kernels::visible_join>(n, parameters,
+                                          {.raw_parts = &raw, .counts = lines.found.offsets.get()},
+                                          lines.clipped, pieces);
 }
 
 void ExactVisibility::write_spans(const Lines& lines) {
@@ -163,8 +159,8 @@ void ExactVisibility::write_spans(const Lines& lines) {
                                  stages_.scratch(Scratch::piece_parts),
                                  stages_.scratch(Scratch::piece_kept)};
         return stages_.launch<kernels::visible_spans>(
-            parameters.count, parameters, lines.found, lines.clipped, pieces,
-            RawParts{stages_.scratch(Scratch::raw_parts)});
+            parameters.count, parameters, {.raw_parts = &stages_.scratch(Scratch::raw_parts)},
+            lines.found, lines.clipped, pieces);
     }
     stages_.launch<kernels::visible_write>(parameters.count, parameters, lines.found, *table_,
                                            lines, lines.clipped, lists_, optional());
@@ -184,10 +180,11 @@ WayTables ways_of(const OutlinePartsArgs& args) {
 
 } // namespace
 
-void Stages::outline_seen(const OutlineSeenArgs& args) {
-    const std::uint32_t n = args.table.segment_count;
-    launch_each<kernels::outline_seen>(n, args.table, args.clipped, args.spans, args);
-    scan(args.numbers, n, ScanKind::saturate);
+void Stages::outline_seen(const SegmentTable& table, const ClippedTable& clipped,
+                          const SpanTable& spans, Buffer& numbers) {
+    const std::uint32_t n = table.segment_count;
+    launch<kernels::outline_seen>(n, {n}, {.numbers = &numbers}, table, clipped, spans);
+    scan(numbers, n, ScanKind::saturate);
 }
 
 void Stages::outline_parts(const OutlinePartsArgs& args) {
@@ -195,19 +192,10 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
     parameters.count = args.segment_count;
     parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
-    launch<kernels::outline_parts_count>(args.segment_count, parameters, args, ways_of(args),
-                                         Counts{args.part_offsets});
+    launch<kernels::outline_parts_count>(args.segment_count, parameters,
+                                         {.counts = &args.part_offsets}, args, ways_of(args));
     scan(args.part_offsets, args.segment_count, ScanKind::saturate);
     launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways_of(args));
-}
-
-Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
-                            const SpanTable& spans, const SpansParameters& parameters) {
-    Buffer& counts = scratch(Scratch::block_counts, parameters.blocks + 1);
-    launch_grouped<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters,
-                                         table, clipped, spans, Counts{counts});
-    scan(counts, parameters.blocks, ScanKind::saturate);
-    return counts;
 }
 
 void Stages::span_runs(const SpanRunsArgs& args) {
@@ -221,11 +209,8 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.runs.capacity};
-    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch_grouped<kernels::spans_runs>(
-        std::max(parameters.blocks, 1U), // the first work-item writes the record
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.runs,
-        BlockOffsets{counts});
+    write_blocks<kernels::spans_count, kernels::spans_runs>(parameters, args.table, args.clipped,
+                                                            args.spans, args.runs);
 }
 
 void Stages::span_intervals(const SpanIntervalsArgs& args) {
@@ -239,11 +224,8 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.into.capacity};
-    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch_grouped<kernels::spans_intervals>(
-        std::max(parameters.blocks, 1U), // the first work-item writes the total
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.into,
-        BlockOffsets{counts});
+    write_blocks<kernels::spans_count, kernels::spans_intervals>(
+        parameters, args.table, args.clipped, args.spans, args.into);
 }
 
 } // namespace lineatlas::compute

@@ -60,7 +60,7 @@ class SilhouetteChains {
                           Clock&& clock) {
         tables_.front.fit(candidates.triangle_count);
         if (!wanted || candidates.candidates.count == 0) return without(candidates);
-        clock("facing", [&] { stages_.facing({candidates, view.eye, front()}); });
+        clock("facing", [&] { stages_.facing(candidates, view.eye, front()); });
         return find(candidates, front(), view, clock);
     }
     /// Gives the next frame silhouettes that the host has found, in place of those that it would

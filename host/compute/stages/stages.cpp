@@ -3,32 +3,15 @@
 
 namespace lineatlas::compute {
 
-void Stages::transform(const TransformArgs& args) {
-    launch_each<kernels::transform>(args.vertex_count, args);
-    launch_each<kernels::transform_boxes>(args.cluster_count, {.rest = args.rest_clusters,
-                                                               .objects = args.cluster_objects,
-                                                               .matrices = args.matrices,
-                                                               .clusters = args.clusters});
+void Stages::pyramid(Buffer& depth, glm::ivec2 depth_size, Buffer& tiles) {
+    launch<kernels::pyramid>(count_of_tiles(depth_size),
+                             {.depth_size = depth_size, .tile_count = tiles_for(depth_size)},
+                             {.depth = depth, .tiles = tiles});
 }
 
-void Stages::pyramid(const PyramidArgs& args) {
-    const glm::ivec2 tiles = tiles_for(args.depth_size);
-    launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y),
-                             {.depth_size = args.depth_size, .tile_count = tiles}, args);
-}
-
-void Stages::cull(const CullArgs& args) {
-    launch<kernels::cull>(args.count,
-                          {.count = args.count,
-                           .clip_from_world = args.clip_from_world,
-                           .depth_size = args.depth_size,
-                           .tile_count = tiles_for(args.depth_size)},
-                          args);
-}
-
-void Stages::facing(const FacingArgs& args) {
-    const std::uint32_t n = args.table.triangle_count;
-    launch<kernels::facing>(n, {.count = n, .eye = args.eye}, args.table, args);
+void Stages::facing(const SegmentTable& table, const glm::vec4& eye, Buffer& front) {
+    const std::uint32_t n = table.triangle_count;
+    launch<kernels::facing>(n, {.count = n, .eye = eye}, {.front = &front}, table);
 }
 
 namespace {
@@ -56,15 +39,12 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     return parameters;
 }
 
-struct Tiles {
-    Buffer* tiles;
-};
 struct ScanTables {
     Buffer &values, &sums;
 };
 
-Tiles tiles_of(const ProjectClipArgs& args) {
-    return {args.occlusion != nullptr ? &args.occlusion->tiles : nullptr};
+Buffer* tiles_of(const ProjectClipArgs& args) {
+    return args.occlusion != nullptr ? &args.occlusion->tiles : nullptr;
 }
 
 } // namespace
@@ -72,14 +52,14 @@ Tiles tiles_of(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(args.batches.batch_count(), parameters, args.batches,
-                                          tiles_of(args));
+    launch<kernels::project_clip_batches>(args.batches.batch_count(), parameters,
+                                          {.tiles = tiles_of(args)}, args.batches);
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
-    launch<kernels::project_clip>(args.table.segment_count, parameters_of(args), args.table,
-                                  args.batches, tiles_of(args), args, args.out,
-                                  Counts{args.out.offsets});
+    launch<kernels::project_clip>(args.table.segment_count, parameters_of(args),
+                                  {.tiles = tiles_of(args), .counts = &args.out.offsets},
+                                  args.table, args.batches, args, args.out);
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {

@@ -16,17 +16,6 @@
 
 namespace lineatlas::compute {
 
-// Groups of one table, for launches, named as the kernel names its table.
-struct Counts {
-    Buffer& counts;
-};
-struct Offsets {
-    Buffer& offsets;
-};
-struct BlockOffsets {
-    Buffer& block_offsets;
-};
-
 /// The stages that kernels run. Each function launches the kernels of a stage, in the same order
 /// and on the same tables on every device. It is as asynchronous as the device.
 class Stages {
@@ -53,6 +42,12 @@ class Stages {
                 const Groups&... groups) {
         launch_grouped<K>(items, tuning_.local_size, parameters, groups...);
     }
+    /// The tables of `own` are taken before those of the groups; null: the launch does without it.
+    template <class K, class Group, class... Groups>
+    void launch(std::uint32_t items, const typename K::Parameters& parameters,
+                const typename K::Own& own, const Group& group, const Groups&... groups) {
+        launch_grouped<K>(items, tuning_.local_size, parameters, own, group, groups...);
+    }
     /// Launches a kernel whose only parameter is the number of its elements.
     template <class K>
     void launch_each(std::uint32_t count, const typename K::Tables& tables) {
@@ -67,6 +62,12 @@ class Stages {
     void launch_grouped(std::uint32_t items, std::uint32_t group,
                         const typename K::Parameters& parameters, const Groups&... groups) {
         launch_variant<K>(0, items, group, parameters, groups...);
+    }
+    template <class K, class Group, class... Groups>
+    void launch_grouped(std::uint32_t items, std::uint32_t group,
+                        const typename K::Parameters& parameters, const typename K::Own& own,
+                        const Group& first, const Groups&... groups) {
+        launch_variant<K>(0, items, group, parameters, own, first, groups...);
     }
     /// The same of one of the kernel's variants, see kernel_of().
     template <class K, class... Groups>
@@ -88,13 +89,12 @@ class Stages {
         device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
     }
 
-    void transform(const TransformArgs& args);
     /// Throws DeviceError for more clusters than the device can sort.
     void depth(const DepthArgs& args);
-    void planes(const PlanesArgs& args);
-    void pyramid(const PyramidArgs& args);
-    void cull(const CullArgs& args);
-    void facing(const FacingArgs& args);
+    /// `tiles`, out: a float per tile of a depth buffer as in DepthBuffer, row by row.
+    void pyramid(Buffer& depth, glm::ivec2 depth_size, Buffer& tiles);
+    /// `eye`: Camera::eye(). `front`, out: a byte per triangle.
+    void facing(const SegmentTable& table, const glm::vec4& eye, Buffer& front);
     /// Which faces contours cross.
     void contour(const SegmentTable& table, const glm::vec4& eye, const ChainTables& tables);
     /// Which candidates are silhouettes. `front`: of `facing`.
@@ -117,7 +117,10 @@ class Stages {
 
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
-    void outline_seen(const OutlineSeenArgs& args);
+    /// Finds segments with visible parts that may be outline. `numbers`, out: how many such
+    /// segments there are before each, and in all.
+    void outline_seen(const SegmentTable& table, const ClippedTable& clipped,
+                      const SpanTable& spans, Buffer& numbers);
     void outline_parts(const OutlinePartsArgs& args);
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
@@ -181,9 +184,19 @@ class Stages {
     /// The order of the clusters, and where each stands in it.
     void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
                         Buffer& positions);
-    /// Of what `wanted` asks for, per block of segments, scanned.
-    Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
-                        const SpanTable& spans, const SpansParameters& parameters);
+    /// Counts per block of segments by kernel `Count`, and writes what was counted by `Write`,
+    /// which gets the sums of the counts.
+    template <class Count, class Write, class... Groups>
+    void write_blocks(const typename Count::Parameters& parameters, const Groups&... groups) {
+        const std::uint32_t blocks = parameters.blocks;
+        Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
+        launch_grouped<Count>(blocks, tuning_.block_local_size, parameters, {.counts = &counts},
+                              groups...);
+        scan(counts, blocks, ScanKind::saturate);
+        // The first work-item also writes how many there are.
+        launch_grouped<Write>(std::max(blocks, 1U), tuning_.block_local_size, parameters,
+                              {.block_offsets = &counts}, groups...);
+    }
     Device& device_;
     const Tuning& tuning_;       ///< of device_
     std::vector<Table> scratch_; ///< by Scratch
