@@ -1,5 +1,6 @@
 // silhouette: numbers candidates with one face towards the eye and one away from it.
 
+#include "compute/stages/silhouette_chains.hpp"
 #include "stage_test.hpp"
 
 namespace lineatlas::test {

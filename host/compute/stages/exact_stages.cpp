@@ -7,8 +7,6 @@
 namespace lineatlas::compute {
 namespace {
 
-using Scratch = Stages::Scratch;
-
 /// The number of work-items that share the rows of tiles of a triangle, if triangles have
 /// work-items of their own. With one, all would wait for a face that covers the picture. Among very
 /// many triangles few are large.
@@ -16,16 +14,6 @@ std::uint32_t face_slices(std::uint32_t triangles) {
     constexpr std::uint32_t most = 8, most_items = 1U << 22U;
     return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
 }
-
-/// The entries of lists by their keys, and where each stands in order.
-struct KeyTables {
-    Buffer &keys, &placed;
-};
-
-/// The visible parts of segments in each tile, before they are joined.
-struct PieceTables {
-    Buffer &piece_offsets, &part_offsets, &piece_kept;
-};
 
 } // namespace
 
@@ -86,28 +74,27 @@ void ExactVisibility::tile_lists() {
                                                lists_);
     stages_.scan(*lists_.groups, tiles(), ScanKind::saturate);
     const std::size_t ranged = tuning.face_lists ? std::size_t{2} * tiles() : 1;
-    Buffer& ranges = stages_.scratch(Scratch::list_ranges, ranged);
+    Buffer& ranges = stages_.exact_scratch().ranges.with_room(ranged);
     device_.clear(ranges, ranged * sizeof(la_uint));
     stages_.launch_grouped<kernels::tile_lists_fill>(chunks, tuning.block_local_size, parameters,
                                                      {.ranges = &ranges}, *table_, lists_,
                                                      optional());
-    if (tuning.face_lists) return arrange_by_entries(parameters, ranges);
+    if (tuning.face_lists) return arrange_by_entries(parameters);
     stages_.launch_grouped<kernels::tile_lists_arrange>(tiles(), tuning.block_local_size,
                                                         parameters, *table_, lists_);
 }
 
-void ExactVisibility::arrange_by_entries(const ExactParameters& parameters, Buffer& ranges) {
+void ExactVisibility::arrange_by_entries(const ExactParameters& parameters) {
     const std::uint32_t entries = parameters.entry_capacity;
     const std::uint32_t keys = tiles() * LA_LIST_KEYS;
-    const KeyTables sorted{
-        stages_.scratch(Scratch::list_keys, std::size_t{keys} + 1),
-        stages_.scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
-    device_.clear(sorted.keys, keys * sizeof(la_uint));
-    stages_.launch<kernels::tile_lists_keys>(entries, parameters, {.ranges = &ranges}, lists_,
-                                             sorted);
-    stages_.scan(sorted.keys, keys, ScanKind::saturate);
-    stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, sorted);
-    stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, sorted);
+    Stages::ExactScratch& scratch = stages_.exact_scratch();
+    scratch.keys.with_room(std::size_t{keys} + 1);
+    scratch.placed.with_room(entries * sizeof(Entry) / sizeof(la_uint));
+    device_.clear(*scratch.keys, keys * sizeof(la_uint));
+    stages_.launch<kernels::tile_lists_keys>(entries, parameters, lists_, scratch);
+    stages_.scan(*scratch.keys, keys, ScanKind::saturate);
+    stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, scratch);
+    stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, scratch);
     stages_.launch<kernels::tile_lists_write>(entries, parameters, *table_, lists_);
     stages_.launch<kernels::tile_lists_boxes>(parameters.group_capacity, parameters, lists_);
     stages_.launch<kernels::tile_lists_behind>(tiles(), parameters, lists_);
@@ -132,53 +119,34 @@ void ExactVisibility::find_spans(const Lines& lines) {
 
 void ExactVisibility::count_pieces(const Lines& lines, const ExactParameters& parameters) {
     const std::uint32_t n = parameters.count;
-    Buffer& offsets = stages_.scratch(Scratch::piece_offsets, std::size_t{n} + 1);
+    Stages::ExactScratch& scratch = stages_.exact_scratch();
+    Buffer& offsets = scratch.piece_offsets.with_room(std::size_t{n} + 1);
     stages_.launch<kernels::visible_pieces>(n, parameters, {.counts = &offsets}, *table_, lines,
                                             lines.clipped, lists_, optional());
     stages_.scan(offsets, n, ScanKind::saturate);
     const auto count = read_one<la_uint>(device_, offsets, n);
-    const PieceTables pieces{offsets, stages_.scratch(Scratch::piece_parts, std::size_t{count} + 1),
-                             stages_.scratch(Scratch::piece_kept, std::size_t{4} * count)};
-    stages_.launch<kernels::visible_cut>(count, parameters, {.counts = &pieces.part_offsets},
-                                         *table_, lines, lines.clipped, lists_, optional(), pieces);
-    stages_.scan(pieces.part_offsets, count, ScanKind::saturate);
-    const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
-    Buffer& raw = stages_.scratch(Scratch::raw_parts, 2 * parts);
-    stages_.launch<kernels::visible_parts>(count, parameters, {.raw_parts = &raw}, *table_, lines,
-                                           lines.clipped, lists_, optional(), pieces);
-    stages_.launch<kernels::visible_join>(n, parameters,
-                                          {.raw_parts = &raw, .counts = lines.found.offsets.get()},
-                                          lines.clipped, pieces);
+    Buffer& part_offsets = scratch.part_offsets.with_room(std::size_t{count} + 1);
+    scratch.piece_kept.with_room(std::size_t{4} * count);
+    stages_.launch<kernels::visible_cut>(count, parameters, {.counts = &part_offsets}, *table_,
+                                         lines, lines.clipped, lists_, optional(), scratch);
+    stages_.scan(part_offsets, count, ScanKind::saturate);
+    scratch.raw_parts.with_room(2 * std::size_t{read_one<la_uint>(device_, part_offsets, count)});
+    stages_.launch<kernels::visible_parts>(count, parameters, *table_, lines, lines.clipped, lists_,
+                                           optional(), scratch);
+    stages_.launch<kernels::visible_join>(n, parameters, {.counts = lines.found.offsets.get()},
+                                          lines.clipped, scratch);
 }
 
 void ExactVisibility::write_spans(const Lines& lines) {
     ExactParameters parameters = in_chunks(lines.parameters);
     parameters.span_capacity = lines.found.capacity;
     if (device_.tuning().face_lists) {
-        const PieceTables pieces{stages_.scratch(Scratch::piece_offsets),
-                                 stages_.scratch(Scratch::piece_parts),
-                                 stages_.scratch(Scratch::piece_kept)};
-        return stages_.launch<kernels::visible_spans>(
-            parameters.count, parameters, {.raw_parts = &stages_.scratch(Scratch::raw_parts)},
-            lines.found, lines.clipped, pieces);
+        return stages_.launch<kernels::visible_spans>(parameters.count, parameters, lines.found,
+                                                      lines.clipped, stages_.exact_scratch());
     }
     stages_.launch<kernels::visible_write>(parameters.count, parameters, lines.found, *table_,
                                            lines, lines.clipped, lists_, optional());
 }
-
-namespace {
-
-/// The visible parts of the ways beside segments: those on either side, and those on the other
-/// side.
-struct WayTables {
-    Buffer &beside_offsets, &beside, &within_offsets, &within;
-};
-WayTables ways_of(const OutlinePartsArgs& args) {
-    return {args.beside.span_offsets, args.beside.spans, args.within.span_offsets,
-            args.within.spans};
-}
-
-} // namespace
 
 void Stages::outline_seen(const SegmentTable& table, const ClippedTable& clipped,
                           const SpanTable& spans, Buffer& numbers) {
@@ -192,10 +160,14 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
     parameters.count = args.segment_count;
     parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
+    const struct {
+        Buffer &beside_offsets, &beside, &within_offsets, &within;
+    } ways{args.beside.span_offsets, args.beside.spans, args.within.span_offsets,
+           args.within.spans};
     launch<kernels::outline_parts_count>(args.segment_count, parameters,
-                                         {.counts = &args.part_offsets}, args, ways_of(args));
+                                         {.counts = &args.part_offsets}, args, ways);
     scan(args.part_offsets, args.segment_count, ScanKind::saturate);
-    launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways_of(args));
+    launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways);
 }
 
 void Stages::span_runs(const SpanRunsArgs& args) {

@@ -180,15 +180,6 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t see
     write_spans(lines);
 }
 
-namespace {
-
-/// Tables of outline_push and outline_push_in.
-struct OutlineWays {
-    Buffer &seen, &pushed;
-};
-
-} // namespace
-
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
     const std::uint32_t segments = parameters_.count;
     numbers_.fit((segments + 1ULL) * sizeof(la_uint));
@@ -212,7 +203,7 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                                     .capacity = 0,
                                     .clip_from_world = parameters_.clip_from_world,
                                     .lift = parameters_.lift};
-    const OutlineWays pushed{*seen_, *pushed_};
+    const struct { Buffer &seen, &pushed; } pushed{*seen_, *pushed_};
     stages_.launch<kernels::outline_push>(seen, outline, *table_, clipped, pushed);
     find_beside(clipped, seen, LA_OUTLINE_BESIDE, beside_);
     stages_.launch<kernels::outline_push_in>(

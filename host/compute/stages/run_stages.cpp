@@ -42,7 +42,7 @@ void Stages::halo(const HaloArgs& args) {
                               .width = args.halo + args.half_width,
                               .tolerance = args.tolerance,
                               .total = 0};
-    Buffer& ends = scratch(Scratch::halo_ends, tile_count + std::size_t{1});
+    Buffer& ends = halo_ends_.with_room(tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
     launch<kernels::halo_count>(items, parameters, {.counts = &ends}, args.runs);
     scan(ends, tile_count, ScanKind::saturate);
@@ -69,7 +69,7 @@ void Stages::filter(const FilterArgs& args) {
                                       .use_cuts = args.cuts != nullptr ? 1U : 0U,
                                       .run_capacity = n,
                                       .filtered_capacity = args.filtered.capacity};
-    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
+    Buffer& counts = run_counts_.with_room(std::size_t{n} + 1);
     const FilteredRuns filtered{args.filtered.runs, args.filtered.record};
     launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters,
                                           {.counts = &counts}, args.table, args.atlas.clipped,
@@ -112,7 +112,7 @@ void Stages::pens(const PensArgs& args) {
                                                  : args.table.segment_count,
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn.capacity};
-    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
+    Buffer& counts = run_counts_.with_room(std::size_t{n} + 1);
     launch<kernels::pens_count>(n, parameters, {.counts = &counts}, args.runs, args, args.table,
                                 outlines);
     scan(counts, n, ScanKind::saturate);
@@ -136,9 +136,9 @@ void Stages::density(const DensityArgs& args) {
                                  .far_limit = args.far_limit,
                                  .again = 0,
                                  .hidden = args.hidden ? 1U : 0U};
-    Buffer& smooth = scratch(Scratch::density_rows, planes);
-    Buffer& drawn = scratch(Scratch::density_drawn, plane);
-    Buffer& excess = scratch(Scratch::density_excesses, plane);
+    Buffer& smooth = density_rows_.with_room(planes);
+    Buffer& drawn = density_drawn_.with_room(plane);
+    Buffer& excess = density_excesses_.with_room(plane);
     if (args.drawn_before.empty())
         device_.clear(args.grid, planes * sizeof(la_uint));
     else

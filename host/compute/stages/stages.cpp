@@ -73,7 +73,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
         const std::uint32_t chunks =
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
         const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
-        const ScanTables tables{values, scratch(Scratch::scan_sums, chunks)};
+        const ScanTables tables{values, scan_sums_.with_room(chunks)};
         launch_variant<kernels::scan_chunks_reduce>(variant, chunks, 1, parameters, tables);
         launch_variant<kernels::scan_chunks_apply>(variant, chunks, 1, parameters, tables);
         return;
@@ -82,7 +82,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
     const std::uint32_t items = divide_up(n, tuning_.scan_per_item),
                         tiles = divide_up(items, group);
     const ScanParameters parameters{.n = n, .chunk = 0};
-    const ScanTables tables{values, scratch(Scratch::scan_sums, tiles)};
+    const ScanTables tables{values, scan_sums_.with_room(tiles)};
     launch_variant<kernels::scan_tiles_reduce>(variant, items, group, parameters, tables);
     launch_variant<kernels::scan_tiles_sums>(variant, group, group, {.n = tiles, .chunk = 0},
                                              tables);

@@ -59,8 +59,7 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     constexpr std::size_t box_words = sizeof(StrokeBox) / sizeof(la_uint);
-    Buffer& boxes =
-        scratch(Scratch::stroke_boxes, tuning_.stroke_pixels ? args.run_count * box_words : 1);
+    Buffer& boxes = stroke_boxes_.with_room(tuning_.stroke_pixels ? args.run_count * box_words : 1);
     if (tuning_.stroke_pixels)
         launch<kernels::strokes_boxes>(args.run_count, parameters, {.boxes = &boxes}, args);
     // No list is longer than all runs are; no loop than the device allows.
