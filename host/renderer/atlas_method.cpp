@@ -5,8 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 #include "backdrop.hpp"
 #include "compute/transfer.hpp"
 #include "frame_forms.hpp"
@@ -134,7 +132,6 @@ std::vector<std::uint32_t> AtlasMethod::read_offsets() {
 }
 
 void AtlasMethod::project(Frame& frame) {
-    const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     find_silhouettes(frame);
     const compute::OcclusionTest occlusion{
         .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // without culling it is not
@@ -149,8 +146,7 @@ void AtlasMethod::project(Frame& frame) {
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
             .front = chains_.front(),
-            .clip_from_world = clip_from_world,
-            .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+            .clip_from_world = frame.camera.clip_from_world(),
             .viewport = frame.viewport(),
             .step = frame.options.step,
             .kind_mask = frame.kinds(),

@@ -63,7 +63,6 @@ class BatchesTest : public StageTest {
         const compute::ProjectClipArgs args{.table = table,
                                             .front = *front,
                                             .clip_from_world = glm::mat4{1},
-                                            .world_from_clip = glm::mat4{1},
                                             .viewport = viewport,
                                             .step = 2,
                                             .kind_mask = all_line_kinds,

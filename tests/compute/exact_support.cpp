@@ -43,7 +43,6 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
     stages.project_clip({.table = table,
                          .front = *front,
                          .clip_from_world = m,
-                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{m})},
                          .viewport = glm::vec2{camera.size},
                          .step = 2,
                          .kind_mask = kinds,

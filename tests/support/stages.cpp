@@ -94,8 +94,6 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
     const compute::ProjectClipArgs args{.table = table(),
                                         .front = *front_,
                                         .clip_from_world = clip_from_world,
-                                        .world_from_clip =
-                                            glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                                         .viewport = glm::vec2{camera.size},
                                         .step = 2,
                                         .kind_mask = all_line_kinds,

@@ -1,4 +1,6 @@
 // From the model to clipped segments with their places in the atlas.
+#include <glm/gtc/matrix_inverse.hpp>
+
 #include "stages.hpp"
 
 namespace lineatlas::compute {
@@ -19,7 +21,8 @@ namespace {
 ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     ProjectClipParameters parameters{.count = args.table.segment_count,
                                      .clip_from_world = args.clip_from_world,
-                                     .world_from_clip = args.world_from_clip,
+                                     .world_from_clip =
+                                         glm::mat4{glm::inverse(glm::dmat4{args.clip_from_world})},
                                      .viewport = args.viewport,
                                      .step = args.step,
                                      .kind_mask = args.kind_mask,
