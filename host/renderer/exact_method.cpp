@@ -1,7 +1,5 @@
 #include "exact_method.hpp"
 
-#include <algorithm>
-
 #include "backdrop.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
@@ -10,9 +8,8 @@
 namespace lineatlas {
 
 ExactMethod::ExactMethod(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), lines_(stages_),
-      alpha_(*connection.sharing, compute::table::no_alpha), depth_(connection), fill_(connection),
-      strokes_(connection), intervals_(stages_) {
+    : lines_(*connection.stages), alpha_(*connection.sharing, compute::table::no_alpha),
+      depth_(connection), fill_(connection), strokes_(connection), intervals_(*connection.stages) {
     alpha_.fit(16);
 }
 
@@ -42,20 +39,9 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     };
     const bool of_intervals = IntervalStage::wants_outlines(frame);
     const bool of_strokes = StrokeStage::wants_outlines(frame);
-    // The usual number of stages of a chunk. Some stages run again if a table was too small.
-    constexpr float usual_stages = 8;
-    float done = 0;
-    const auto clock = [&](const char* name, const auto& action) {
-        if (progress) {
-            device_.finish(); // else progress would tell only what was submitted
-            progress(done);
-            done += std::min((1 - done) / 2, 1 / (usual_stages * static_cast<float>(chunks)));
-        }
-        frame.clock(name, action);
-    };
     const float depth = outline_depth(frame.options.style, frame.camera.size);
     lines_.find(
-        view, chunks, table, clock,
+        view, chunks, progress, table, frame.clock,
         [&](std::size_t, const compute::SegmentTable& segments, const compute::SpanTable& spans) {
             frame.scene.set_order(segments);
             std::optional<compute::OutlineTable> outline;

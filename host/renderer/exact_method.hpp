@@ -44,8 +44,6 @@ class ExactMethod {
     /// Backdrop::draw_fill().
     void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
 
-    compute::Stages& stages_;
-    compute::Device& device_; ///< of stages_
     ExactLines lines_;
     interop::SharedTable alpha_; ///< without samples
     DepthStage depth_;           ///< for fills; lines need no depth

@@ -33,14 +33,6 @@ void ExactLines::make_room(std::uint32_t segments) {
     device_.clear(*no_offsets_, sums);
 }
 
-compute::TracedSilhouettes ExactLines::trace(const LineView& view) {
-    return view.tracer->trace(
-        {.eye = glm::dvec4{view.camera.eye()},
-         .clip_from_world = glm::dmat4{view.camera.projection} * glm::dmat4{view.camera.view},
-         .size = glm::dvec2{view.camera.size},
-         .outside = sees_from_outside(view.camera, view.bounds)});
-}
-
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
                               const compute::SegmentTable& table) {
     compute::BatchTable batches;

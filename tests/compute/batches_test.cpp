@@ -177,7 +177,7 @@ class ExactBatches : public StageTest {
         std::vector<Found> result(frames);
         for (Found& found : result) {
             exact.find(
-                view, 1, [&](std::size_t) { return table; },
+                view, 1, ProgressPart::none(), [&](std::size_t) { return table; },
                 [](const char*, const auto& run) { run(); },
                 [&](std::size_t, const compute::SegmentTable& segments,
                     const compute::SpanTable& spans) {

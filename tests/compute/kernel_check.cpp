@@ -146,7 +146,7 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
                         .step = 2};
     const auto find = [&] {
         exact.find(
-            view, 1, [&](std::size_t) { return table; },
+            view, 1, ProgressPart::none(), [&](std::size_t) { return table; },
             [](const char*, const auto& run) { run(); },
             [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
                 const compute::OutlineTable outline = exact.outline(2);
