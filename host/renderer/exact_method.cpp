@@ -1,6 +1,5 @@
 #include "exact_method.hpp"
 
-#include "backdrop.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
 #include "tile_loop.hpp"
@@ -63,24 +62,12 @@ bool ExactMethod::grow() {
     return strokes_.grow() || intervals_grown;
 }
 
-void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
-    const Fill& fill = frame.options.style.fill;
-    if (!FillStage::draws(frame, depth_)) return frame.backdrop.draw_fill(frame, fill, seen);
-    // The method draws tiles of its own, because its pictures may be as large as GL can draw.
-    constexpr int most_texels = 4096;
-    for (const PictureTile& part : make_tiles(frame.tile.size, most_texels / frame.depth_scale())) {
-        const PictureTile tile{frame.tile.low + part.low, part.size};
-        const compute::DepthTile depth = depth_.draw_tile(frame, tile);
-        fill_.color(frame, depth_, tile, depth.origin);
-        fill_.lay(frame, part.low);
-    }
-}
-
 FrameStats ExactMethod::draw(Frame& frame) {
     find(frame, ProgressPart::none());
-    const gl::TriangleRange all{0, frame.scene.triangle_count()};
-    if (frame.options.draw) draw_fill(frame, {&all, 1});
-    if (frame.options.draw) strokes_.draw(frame, alpha_);
+    if (frame.options.draw) {
+        fill_.draw_tile(frame, depth_);
+        strokes_.draw(frame, alpha_);
+    }
     return {.runs = strokes_.runs_of_frame(), .stages = {}};
 }
 
@@ -90,7 +77,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     progress(0);
     find(frame, progress.part(0, 0.5F));
     draw_by_tiles(frame, target, drawing, [&] {
-        draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
+        fill_.draw_tile(frame, depth_);
         strokes_.draw(frame, alpha_);
     });
     return {.runs = strokes_.runs_of_frame(), .stages = {}};

@@ -40,9 +40,6 @@ class ExactMethod {
     bool grow();
     /// An atlas without samples.
     compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), 0}; }
-    /// Draws the fill of the part that goes to the framebuffer. `seen`: as in
-    /// Backdrop::draw_fill().
-    void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
 
     ExactLines lines_;
     interop::SharedTable alpha_; ///< without samples
