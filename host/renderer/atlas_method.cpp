@@ -228,11 +228,14 @@ void AtlasMethod::sample_raster(Frame& frame) {
 void AtlasMethod::sample_item_buffer(Frame& frame) {
     frame.clock("item_buffer", [&] {
         if (!item_buffer_) item_buffer_.emplace();
-        const ItemBufferSampler::Tables tables = item_buffer_->tables(segment_count_);
-        device_.download(offsets_.compute(), std::as_writable_bytes(tables.offsets));
-        if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
-        device_.download(clipped_.compute(), std::as_writable_bytes(tables.clipped));
-        alpha_.upload(std::as_bytes(item_buffer_->sample(frame)));
+        ItemBufferSampler::Lines lines;
+        lines.offsets = compute::read_back<std::uint32_t>(device_, offsets_.compute(),
+                                                          std::size_t{segment_count_} + 1);
+        if (lines.offsets.back() > sample_capacity_) return; // grow() sees to it
+        lines.clipped =
+            compute::read_back<ClippedSegment>(device_, clipped_.compute(), segment_count_);
+        const std::vector<std::uint8_t> seen = item_buffer_->sample(frame, lines);
+        alpha_.upload(std::as_bytes(std::span{seen}));
     });
 }
 
