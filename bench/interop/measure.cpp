@@ -113,7 +113,7 @@ std::vector<Path> find_paths(const HandoverOptions& options, HandoverReport& rep
             if (std::ranges::find(options.modes, name) == options.modes.end()) continue;
             try {
                 paths.push_back(
-                    {device.name(), interop::connect({.device = device.name(), .mode = mode})});
+                    {device.name(), interop::connect({.device = device.name(), .interop = name})});
             } catch (const DeviceError& error) {
                 report.left_out.push_back({device.name(), name, error.what()});
             }

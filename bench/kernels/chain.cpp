@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "common.hpp"
+#include "compute/stages/silhouette_chains.hpp"
 
 namespace lineatlas::bench {
 namespace {

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "common.hpp"
+#include "compute/stages/silhouette_chains.hpp"
 #include "terrain.hpp"
 
 namespace lineatlas::bench {

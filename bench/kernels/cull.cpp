@@ -53,12 +53,13 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer visible = device.allocate(n * sizeof(std::uint32_t));
     const auto run = [&stages, clusters, tiles, visible, n,
                       clip_from_world = input.clip_from_world] {
-        stages.cull({.clusters = *clusters,
-                     .count = n,
-                     .clip_from_world = clip_from_world,
-                     .depth_size = depth_size,
-                     .tiles = *tiles,
-                     .visible = *visible});
+        stages.launch<compute::kernels::cull>(
+            n,
+            {.count = n,
+             .clip_from_world = clip_from_world,
+             .depth_size = depth_size,
+             .tile_count = compute::tiles_for(depth_size)},
+            {.clusters = *clusters, .tiles = *tiles, .visible = *visible});
         stages.device().finish();
     };
     run();

@@ -32,16 +32,14 @@ struct Found {
         const Camera camera{
             .view = glm::mat4{1}, .projection = terrain.clip_from_world, .size = size};
         visibility.begin(table(), camera, {{-1, 0, -1}, {1, 1, 1}}, 6e-6F);
-        stages.project_clip(
-            {.table = table(),
-             .front = *front,
-             .clip_from_world = terrain.clip_from_world,
-             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{terrain.clip_from_world})},
-             .viewport = glm::vec2{size},
-             .step = 2,
-             .kind_mask = (1U << LA_KIND_COUNT) - 1,
-             .occlusion = nullptr,
-             .out = {*clipped_table, visibility.counts(), *arcs}});
+        stages.project_clip({.table = table(),
+                             .front = *front,
+                             .clip_from_world = terrain.clip_from_world,
+                             .viewport = glm::vec2{size},
+                             .step = 2,
+                             .kind_mask = (1U << LA_KIND_COUNT) - 1,
+                             .occlusion = nullptr,
+                             .out = {*clipped_table, visibility.counts(), *arcs}});
         stages.scan(*arcs, n, compute::ScanKind::wrap);
         visibility.surfaces();
         do {

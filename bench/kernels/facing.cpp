@@ -14,7 +14,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer none = device.allocate(sizeof(Segment));
     const SharedBuffer front = device.allocate(n);
     const auto run = [&stages, vertices, triangles, none, front, n, eye = terrain.eye] {
-        stages.facing({.table = {*vertices, *triangles, *none, n, 0}, .eye = eye, .front = *front});
+        stages.facing({*vertices, *triangles, *none, n, 0}, eye, *front);
         stages.device().finish();
     };
     run();

@@ -95,11 +95,9 @@ Job prepare_push(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer numbers = to_device(device, std::vector<std::uint32_t>(n + 1));
     const SharedBuffer listed = to_device(device, std::vector<std::uint32_t>(n));
     const auto find_seen = [=, &stages] {
-        stages.outline_seen({.table = on.table(),
-                             .clipped = on.atlas().clipped,
-                             // Segments with samples count as seen.
-                             .spans = {*on.offsets, *on.alpha, on.samples},
-                             .numbers = *numbers});
+        // Segments with samples count as seen.
+        stages.outline_seen(on.table(), on.atlas().clipped, {*on.offsets, *on.alpha, on.samples},
+                            *numbers);
     };
     find_seen();
     const auto seen = read_back<std::uint32_t>(device, *numbers, n + std::size_t{1}).back();

@@ -17,12 +17,14 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SurfaceView view = surface_view(
         {.view = glm::mat4{1}, .projection = model.clip_from_world, .size = {1024, 768}});
     const auto run = [=, &stages] {
-        stages.planes({.model = model.tables(),
-                       .vertices = *model.vertices,
-                       .view = view,
-                       .contact = 1e-6F,
-                       .seen = nullptr,
-                       .planes = *planes});
+        const compute::MeshletTables tables = model.tables();
+        stages.launch<compute::kernels::planes>(
+            tables.count,
+            {.count = tables.count,
+             .world_from_screen = view.world_from_screen,
+             .contact = 1e-6F,
+             .only_seen = 0},
+            {.vertices = model.vertices.get(), .seen = nullptr, .planes = planes.get()}, tables);
         stages.device().finish();
     };
     run();

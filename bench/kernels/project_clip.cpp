@@ -29,7 +29,6 @@ struct Projection {
         return {.table = table(),
                 .front = *front,
                 .clip_from_world = terrain.clip_from_world,
-                .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{terrain.clip_from_world})},
                 .viewport = {1024, 768},
                 .step = 2,
                 .kind_mask = (1U << LA_KIND_COUNT) - 1,

@@ -37,7 +37,7 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer depth = to_device(device, random_depth(n));
     const SharedBuffer tiles = device.allocate(tile_count_of(n) * sizeof(float));
     const auto run = [&stages, depth, tiles, n] {
-        stages.pyramid({.depth = *depth, .depth_size = picture_of(n), .tiles = *tiles});
+        stages.pyramid(*depth, picture_of(n), *tiles);
         stages.device().finish();
     };
     run();

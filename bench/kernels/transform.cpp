@@ -75,16 +75,16 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer drawn = device.allocate(n * sizeof(glm::vec3));
     const SharedBuffer clusters = device.allocate(cluster_count(n) * sizeof(Cluster));
     const auto run = [=, &stages] {
-        stages.transform({.rest = *rest,
-                          .objects = *objects,
-                          .matrices = *matrices,
-                          .vertex_count = n,
-                          .vertices = *vertices,
-                          .drawn = *drawn,
-                          .rest_clusters = *rest_clusters,
-                          .cluster_objects = *cluster_objects,
-                          .cluster_count = cluster_count(n),
-                          .clusters = *clusters});
+        stages.launch_each<compute::kernels::transform>(n, {.rest = *rest,
+                                                            .objects = *objects,
+                                                            .matrices = *matrices,
+                                                            .vertices = *vertices,
+                                                            .drawn = *drawn});
+        stages.launch_each<compute::kernels::transform_boxes>(cluster_count(n),
+                                                              {.rest = *rest_clusters,
+                                                               .objects = *cluster_objects,
+                                                               .matrices = *matrices,
+                                                               .clusters = *clusters});
         stages.device().finish();
     };
     run();

@@ -31,11 +31,10 @@ ClippedLines clip_lines(const LineSet& lines, const Camera& camera, float step,
     const auto arcs = device->allocate(sums);
     const compute::SegmentTable table{*vertices, *triangles, *segments, triangle_count, count};
     const glm::mat4 clip_from_world = camera.clip_from_world();
-    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
+    stages.facing(table, camera.eye(), *front);
     stages.project_clip({.table = table,
                          .front = *front,
                          .clip_from_world = clip_from_world,
-                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                          .viewport = glm::vec2{camera.size},
                          .step = step,
                          .kind_mask = kinds,

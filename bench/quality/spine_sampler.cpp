@@ -30,7 +30,7 @@ std::uint32_t row_for(const ClippedLines& lines) {
 } // namespace
 
 SpineSampler::SpineSampler(const LineSet& lines)
-    : lines_(lines), connection_(interop::connect({.kind = "cpp"})),
+    : lines_(lines), connection_(interop::connect({.compute = "cpp"})),
       scene_(*connection_.stages, *connection_.sharing, lines), numbers_(lines.triangles.size()),
       depth_(connection_) {
     depth_.set_scene(scene_);

@@ -53,17 +53,12 @@ std::string obstacle(const compute::OpenClDevice& device, SharingMode mode) {
 }
 
 std::string_view success(SharingMode mode) {
-    switch (mode) {
-    case SharingMode::gl_sharing:
-        return "the context was accepted and a round trip succeeded";
-    case SharingMode::external_memory:
-        return "GL and OpenCL import memory of a Vulkan device; a round trip succeeded";
-    case SharingMode::host_pointer:
-        return "device and GL share memory; a round trip succeeded";
-    case SharingMode::copy:
-        break;
-    }
-    return "a round trip succeeded";
+    constexpr std::string_view reasons[] = {
+        "the context was accepted and a round trip succeeded",
+        "GL and OpenCL import memory of a Vulkan device; a round trip succeeded",
+        "device and GL share memory; a round trip succeeded", "a round trip succeeded"};
+    static_assert(std::size(reasons) == all_modes.size()); // which stand in the same order
+    return reasons[static_cast<std::size_t>(mode)];
 }
 
 Attempt attempt(const compute::OpenClDevice& device, SharingMode mode) {
@@ -104,7 +99,7 @@ struct Chosen {
     std::unique_ptr<compute::Device> device;
     SharingMode mode;
     std::string note{};
-    std::optional<ConnectOptions> otherwise{};
+    std::optional<Choice> otherwise{};
 };
 
 /// A device for a mode that works. Throws with the reason if none does. Making a device compiles
@@ -127,10 +122,10 @@ Chosen choose_mode(const compute::OpenClDevice& device, std::optional<SharingMod
 /// True if the user left the choice open and only one picture is wanted from a software GL.
 /// Starting OpenCL would take longer than drawing by C++ on the same CPU. Under a memory limit
 /// OpenCL is started all the same: if its drivers do not survive, GL's would not either.
-bool starts_too_late(const ConnectOptions& options, const compute::WantedDevice& wanted) {
-    return options.one_picture && wanted.kind.empty() && wanted.device.empty() && !options.mode &&
-           options.compare_with.empty() && std::getenv("LINEATLAS_KERNEL_DIR") == nullptr &&
-           !memory_limit() && gl::is_software();
+bool starts_too_late(const DeviceOptions& options, const compute::WantedDevice& wanted) {
+    return options.one_picture && wanted.kind.empty() && wanted.device.empty() &&
+           options.interop.empty() && options.compare_with.empty() &&
+           std::getenv("LINEATLAS_KERNEL_DIR") == nullptr && !memory_limit() && gl::is_software();
 }
 
 /// A device other than OpenCL's. Its memory is the host's, which a software GL can share.
@@ -141,33 +136,47 @@ Chosen choose_other(const std::string& kind, const std::string& device,
             wanted.value_or(shares_memory ? SharingMode::host_pointer : SharingMode::copy)};
 }
 
-/// The OpenCL devices that may be taken, without those that the options leave out.
+/// The OpenCL devices that may be taken, without those of Choice::without.
 std::vector<compute::OpenClDevice> devices_for(const compute::WantedDevice& wanted,
-                                               const ConnectOptions& options) {
+                                               const Choice& choice) {
     std::vector<compute::OpenClDevice> devices = compute::opencl_devices(wanted);
     std::erase_if(devices, [&](const compute::OpenClDevice& device) {
-        return std::ranges::any_of(options.without, [&](const compute::OpenClDevice& other) {
+        return std::ranges::any_of(choice.without, [&](const compute::OpenClDevice& other) {
             return other.device() == device.device();
         });
     });
     return devices;
 }
 
-Chosen choose(ConnectOptions options) {
-    const compute::WantedDevice wanted = compute::wanted_device(options.kind, options.device);
-    if (!wanted.may_be_opencl()) return choose_other(wanted.kind, wanted.device, options.mode);
-    if (starts_too_late(options, wanted)) return choose_other("cpp", "", options.mode);
+/// The mode that the options ask for; none: the best that works.
+std::optional<SharingMode> wanted_mode(const DeviceOptions& options) {
+    std::optional<SharingMode> mode = mode_of(options.interop);
+    if (!options.interop.empty() && !mode) {
+        throw UsageError("unknown interop \"" + options.interop + "\"; there is " + mode_names());
+    }
+    if (options.compare_with.empty()) return mode;
+    if (!mode) mode = SharingMode::copy;
+    if (is_for_one_device(*mode))
+        throw UsageError("comparing devices needs DeviceOptions::interop host-pointer or copy");
+    return mode;
+}
+
+Chosen choose(Choice choice, std::optional<SharingMode> mode) {
+    const DeviceOptions& options = choice.options;
+    const compute::WantedDevice wanted = compute::wanted_device(options.compute, options.device);
+    if (!wanted.may_be_opencl()) return choose_other(wanted.kind, wanted.device, mode);
+    if (starts_too_late(options, wanted)) return choose_other("cpp", "", mode);
     const bool is_open = wanted.device.empty() && options.compare_with.empty();
-    std::string& failed = options.why_without;
+    std::string& failed = choice.why_without;
     for (;;) {
-        const std::vector<compute::OpenClDevice> devices = devices_for(wanted, options);
+        const std::vector<compute::OpenClDevice> devices = devices_for(wanted, choice);
         if (devices.empty()) break;
-        options.without.push_back(devices[default_device(devices)]);
-        const compute::OpenClDevice& best = options.without.back();
+        choice.without.push_back(devices[default_device(devices)]);
+        const compute::OpenClDevice& best = choice.without.back();
         try {
-            Chosen chosen = choose_mode(best, options.mode);
+            Chosen chosen = choose_mode(best, mode);
             if (!failed.empty()) chosen.note = best.description() + " is used, since " + failed;
-            if (is_open) chosen.otherwise = options;
+            if (is_open) chosen.otherwise = choice;
             return chosen;
         } catch (const compute::BuildError& error) {
             if (!is_open) throw;
@@ -178,10 +187,24 @@ Chosen choose(ConnectOptions options) {
     // With so little memory GL's drivers would end the process too.
     if (wanted.kind == "opencl" || (failed.empty() && compute::drivers_lack_memory()))
         throw DeviceError(compute::no_device_message());
-    Chosen chosen = choose_other("cpp", "", options.mode);
+    Chosen chosen = choose_other("cpp", "", mode);
     chosen.note = failed.empty() ? compute::note_of_cpp()
                                  : "kernels run as C++ on all cores, since " + failed;
     return chosen;
+}
+
+Connection connect_as(const Choice& choice) {
+    const DeviceOptions& options = choice.options;
+    const std::optional<SharingMode> mode = wanted_mode(options);
+    if (options.compare_with.starts_with("opencl"))
+        refuse_collision(compute::find_opencl_devices(options.compare_with).front());
+    Chosen chosen = choose(choice, mode);
+    chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
+                                             options.compare_until);
+    auto stages = std::make_unique<compute::Stages>(*chosen.device);
+    auto sharing = std::make_unique<Sharing>(*chosen.device, chosen.mode);
+    return {std::move(chosen.device), std::move(stages), std::move(sharing), std::move(chosen.note),
+            std::move(chosen.otherwise)};
 }
 
 } // namespace
@@ -202,22 +225,14 @@ std::size_t default_device(const std::vector<compute::OpenClDevice>& devices) {
     return static_cast<std::size_t>(best - devices.begin());
 }
 
-Connection connect(const ConnectOptions& options) {
-    if (options.compare_with.starts_with("opencl"))
-        refuse_collision(compute::find_opencl_devices(options.compare_with).front());
-    Chosen chosen = choose(options);
-    chosen.device = compute::with_comparison(std::move(chosen.device), options.compare_with,
-                                             options.compare_until);
-    auto stages = std::make_unique<compute::Stages>(*chosen.device);
-    auto sharing = std::make_unique<Sharing>(*chosen.device, chosen.mode);
-    return {std::move(chosen.device), std::move(stages), std::move(sharing), std::move(chosen.note),
-            std::move(chosen.otherwise)};
+Connection connect(const DeviceOptions& options) {
+    return connect_as({.options = options});
 }
 
 Connection connect_next(const Connection& failed, const std::string& why) {
-    ConnectOptions options = failed.otherwise.value();
-    options.why_without += (options.why_without.empty() ? "" : "; ") + why;
-    return connect(options);
+    Choice choice = failed.otherwise.value();
+    choice.why_without += (choice.why_without.empty() ? "" : "; ") + why;
+    return connect_as(choice);
 }
 
 } // namespace lineatlas::interop

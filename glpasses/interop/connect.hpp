@@ -7,6 +7,7 @@
 
 #include "compute/opencl/devices.hpp"
 #include "compute/stages/stages.hpp"
+#include "lineatlas/device_options.hpp"
 #include "sharing.hpp"
 
 namespace lineatlas::interop {
@@ -22,16 +23,9 @@ struct ModeReport {
 /// the call, so `lineatlas devices` calls it in a child process.
 ModeReport probe_mode(const compute::OpenClDevice& device, SharingMode mode);
 
-/// What the user chose. Empty members leave the choice to connect().
-struct ConnectOptions {
-    /// One of compute::device_kinds(); empty: OpenCL, or C++ if no driver works.
-    std::string kind{};
-    std::string device{}; ///< "opencl:<platform>[:<device>]"
-    std::optional<SharingMode> mode{};
-    /// A second device that runs every kernel for comparison (empty: none), and the last stage that
-    /// is compared (empty: all stages are). See compare/comparing_device.hpp.
-    std::string compare_with{}, compare_until{};
-    bool one_picture = false; ///< DeviceOptions::one_picture
+/// What the user chose, and what has failed since.
+struct Choice {
+    DeviceOptions options{};
     /// OpenCL devices that are not taken, and the reason for a message.
     std::vector<compute::OpenClDevice> without{};
     std::string why_without{};
@@ -43,17 +37,18 @@ struct Connection {
     std::unique_ptr<compute::Stages> stages; ///< on it
     std::unique_ptr<Sharing> sharing;        ///< of it
     std::string note{}; ///< one line for the user if the device is not the one to be expected
-    /// Options that leave this device out, for connect_next(); none if the user chose the device.
-    std::optional<ConnectOptions> otherwise{};
+    /// The choice without this device, for connect_next(); none if the user chose the device.
+    std::optional<Choice> otherwise{};
 };
 
 /// The device to use by default: the first that can share with the current GL context, else one
 /// that shares memory with it, else a GPU, else any. `devices` must not be empty.
 std::size_t default_device(const std::vector<compute::OpenClDevice>& devices);
 
-/// Chooses device and mode and connects. Throws UsageError for an unknown device or mode. Throws
-/// DeviceError if there is no OpenCL or the chosen mode does not work.
-Connection connect(const ConnectOptions& options);
+/// Chooses device and mode, as far as the options leave them open, and connects. Throws UsageError
+/// for an unknown device or mode, or a mode in which devices cannot be compared. Throws DeviceError
+/// if there is no OpenCL or the chosen mode does not work.
+Connection connect(const DeviceOptions& options);
 
 /// Connects to the next device after the device of `failed` did not build a kernel. `failed` must
 /// have Connection::otherwise. `why`: the reason, for a message. Throws as connect() does.

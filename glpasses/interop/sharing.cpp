@@ -29,17 +29,9 @@ void check_handover(int status, const char* call) {
 }
 
 std::string_view name_of(SharingMode mode) {
-    switch (mode) {
-    case SharingMode::gl_sharing:
-        return "gl-sharing";
-    case SharingMode::external_memory:
-        return "external-memory";
-    case SharingMode::host_pointer:
-        return "host-pointer";
-    case SharingMode::copy:
-        return "copy";
-    }
-    return "unknown";
+    constexpr std::string_view names[] = {"gl-sharing", "external-memory", "host-pointer", "copy"};
+    static_assert(std::size(names) == all_modes.size()); // which stand in the same order
+    return names[static_cast<std::size_t>(mode)];
 }
 
 std::optional<SharingMode> mode_of(std::string_view name) {

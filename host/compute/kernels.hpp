@@ -3,6 +3,8 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -32,7 +34,8 @@ using la_mat4 = glm::mat4;
 #include "kernels.h"
 
 /// Every kernel of kernels/kernels.h as a type: its Parameters, and its Tables by their names,
-/// which list_of() finds among the members of groups.
+/// which list_of() finds among the members of groups, or among those that a launch names as its
+/// own.
 namespace kernels {
 
 /// The table that a group has by a name, or null if the launch does without that table.
@@ -54,13 +57,25 @@ Buffer* named_table(const Named& named, const Group& group, const Groups&... gro
         return named_table(named, groups...);
 }
 
+/// named_table() for a launch with tables of its own. Throws std::logic_error if no group has it.
+template <class Named, class... Groups>
+Buffer* table_of_groups(const Named& named, const Groups&... groups) {
+    if constexpr ((std::is_invocable_v<Named, const Groups&> || ...))
+        return named_table(named, groups...);
+    else
+        throw std::logic_error{"a launch lacks a table of its kernel"};
+}
+
 #define LA_MEMBER(type, name) Buffer& name;
-#define LA_NAMED(type, name)                                                                       \
-    named_table(                                                                                   \
-        [](const auto& group) -> Buffer* requires requires { address_of(group.name); } {           \
-            return address_of(group.name);                                                         \
-        },                                                                                         \
-        groups...),
+#define LA_OWN(type, name) std::optional<Buffer*> name{};
+#define LA_GETTER(name)                                                                            \
+    [](const auto& group) -> Buffer* requires requires {                                           \
+        address_of(group.name);                                                                    \
+    }                                                                                              \
+    { return address_of(group.name); }
+#define LA_NAMED(type, name) named_table(LA_GETTER(name), groups...),
+#define LA_OWN_OR_NAMED(type, name)                                                                \
+    own.name ? *own.name : table_of_groups(LA_GETTER(name), groups...),
 #define LA_KERNEL_TYPE(stage, kernel, Parameters_)                                                 \
     struct kernel {                                                                                \
         static constexpr std::string_view name = #kernel;                                          \
@@ -68,15 +83,26 @@ Buffer* named_table(const Named& named, const Group& group, const Groups&... gro
         struct Tables {                                                                            \
             kernel##_tables(LA_MEMBER, LA_MEMBER, LA_MEMBER, LA_MEMBER)                            \
         };                                                                                         \
+        struct Own {                                                                               \
+            kernel##_tables(LA_OWN, LA_OWN, LA_OWN, LA_OWN)                                        \
+        };                                                                                         \
         template <class... Groups>                                                                 \
         static auto list_of(const Groups&... groups) {                                             \
             return std::to_array<Buffer*>(                                                         \
                 {kernel##_tables(LA_NAMED, LA_NAMED, LA_NAMED, LA_NAMED)});                        \
         }                                                                                          \
+        template <class... Groups>                                                                 \
+        static auto list_of(const Own& own, const Groups&... groups) {                             \
+            return std::to_array<Buffer*>({kernel##_tables(LA_OWN_OR_NAMED, LA_OWN_OR_NAMED,       \
+                                                           LA_OWN_OR_NAMED, LA_OWN_OR_NAMED)});    \
+        }                                                                                          \
     };
 LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE)
 #undef LA_KERNEL_TYPE
+#undef LA_OWN_OR_NAMED
 #undef LA_NAMED
+#undef LA_GETTER
+#undef LA_OWN
 #undef LA_MEMBER
 
 } // namespace kernels

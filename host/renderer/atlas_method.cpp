@@ -5,8 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 #include "backdrop.hpp"
 #include "compute/transfer.hpp"
 #include "frame_forms.hpp"
@@ -134,7 +132,6 @@ std::vector<std::uint32_t> AtlasMethod::read_offsets() {
 }
 
 void AtlasMethod::project(Frame& frame) {
-    const glm::mat4 clip_from_world = frame.camera.clip_from_world();
     find_silhouettes(frame);
     const compute::OcclusionTest occlusion{
         .tiles = cull_hidden_ ? depth_.tiles().compute() : *arcs_, // without culling it is not
@@ -149,8 +146,7 @@ void AtlasMethod::project(Frame& frame) {
         const compute::ProjectClipArgs args{
             .table = frame.scene.table(),
             .front = chains_.front(),
-            .clip_from_world = clip_from_world,
-            .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+            .clip_from_world = frame.camera.clip_from_world(),
             .viewport = frame.viewport(),
             .step = frame.options.step,
             .kind_mask = frame.kinds(),
@@ -232,11 +228,14 @@ void AtlasMethod::sample_raster(Frame& frame) {
 void AtlasMethod::sample_item_buffer(Frame& frame) {
     frame.clock("item_buffer", [&] {
         if (!item_buffer_) item_buffer_.emplace();
-        const ItemBufferSampler::Tables tables = item_buffer_->tables(segment_count_);
-        device_.download(offsets_.compute(), std::as_writable_bytes(tables.offsets));
-        if (tables.offsets.back() > sample_capacity_) return; // grow() sees to it
-        device_.download(clipped_.compute(), std::as_writable_bytes(tables.clipped));
-        alpha_.upload(std::as_bytes(item_buffer_->sample(frame)));
+        ItemBufferSampler::Lines lines;
+        lines.offsets = compute::read_back<std::uint32_t>(device_, offsets_.compute(),
+                                                          std::size_t{segment_count_} + 1);
+        if (lines.offsets.back() > sample_capacity_) return; // grow() sees to it
+        lines.clipped =
+            compute::read_back<ClippedSegment>(device_, clipped_.compute(), segment_count_);
+        const std::vector<std::uint8_t> seen = item_buffer_->sample(frame, lines);
+        alpha_.upload(std::as_bytes(std::span{seen}));
     });
 }
 

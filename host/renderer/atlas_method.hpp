@@ -66,8 +66,6 @@ class AtlasMethod {
     void find(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target, const ProgressPart& progress);
-    /// Draws the fill of the current tile.
-    void fill_tile(Frame& frame);
     compute::AtlasArgs atlas_args(Frame& frame);
     compute::SegmentAtlas segment_atlas() {
         return {clipped_table(), alpha_.compute(), sample_capacity_};

@@ -2,7 +2,6 @@
 // whole picture. Only depth, with the samples that need it, fills and strokes are drawn tile by
 // tile.
 #include "atlas_method.hpp"
-#include "backdrop.hpp"
 #include "compute/transfer.hpp"
 #include "core/tiles.hpp"
 #include "lineatlas/error.hpp"
@@ -40,19 +39,6 @@ void AtlasMethod::sample_tiles(Frame& frame, const TileTarget& target,
     }
 }
 
-void AtlasMethod::fill_tile(Frame& frame) {
-    if (!FillStage::draws(frame, depth_)) {
-        const std::vector<gl::TriangleRange> seen =
-            pieces_in_view(frame.scene, frame.clip_of_tile());
-        return frame.backdrop.draw_fill(frame, frame.options.style.fill, seen);
-    }
-    // The tile's depth was drawn for its samples and is gone, so it is drawn again. Tiles are there
-    // to save the memory of keeping it for all of them.
-    const compute::DepthTile depth = depth_.draw_tile(frame, frame.tile);
-    fill_.color(frame, depth_, frame.tile, depth.origin);
-    fill_.lay(frame);
-}
-
 FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     prepare_tiles(frame);
     // Samples take about as long as strokes do.
@@ -78,7 +64,7 @@ FrameStats AtlasMethod::draw_tiles(Frame& frame, const TileTarget& target) {
         keep_chunk(frame);
     }
     draw_by_tiles(frame, target, drawing, [&] {
-        fill_tile(frame);
+        fill_.draw_tile(frame, depth_); // the depth of the tile was drawn for its samples alone
         strokes_.draw(frame, alpha_);
     });
     return stats();

@@ -281,10 +281,7 @@ void DepthStage::build_pyramid(Frame& frame) {
             pass_.copy_to(depth_.gl_to_write(), covered(frame));
     });
     if (!frame.culls_hidden()) return;
-    frame.clock("pyramid", [&] {
-        stages_.pyramid(
-            {.depth = depth_.compute(), .depth_size = size(), .tiles = tiles_.compute()});
-    });
+    frame.clock("pyramid", [&] { stages_.pyramid(depth_.compute(), size(), tiles_.compute()); });
 }
 
 void DepthStage::draw_clusters(Frame& frame, const std::vector<std::uint32_t>& selected) {
@@ -312,12 +309,15 @@ void DepthStage::add_drawn(std::span<const Cluster> clusters,
 
 void DepthStage::cull(Frame& frame, std::vector<std::uint32_t>& visible) {
     frame.clock("cull", [&] {
-        stages_.cull({.clusters = frame.scene.cluster_buffer(),
-                      .count = static_cast<std::uint32_t>(visible.size()),
-                      .clip_from_world = frame.camera.clip_from_world(),
-                      .depth_size = size(),
-                      .tiles = tiles_.compute(),
-                      .visible = *visible_});
+        const auto count = static_cast<std::uint32_t>(visible.size());
+        stages_.launch<compute::kernels::cull>(count,
+                                               {.count = count,
+                                                .clip_from_world = frame.camera.clip_from_world(),
+                                                .depth_size = size(),
+                                                .tile_count = compute::tiles_for(size())},
+                                               {.clusters = frame.scene.cluster_buffer(),
+                                                .tiles = tiles_.compute(),
+                                                .visible = *visible_});
         device_.download(*visible_, std::as_writable_bytes(std::span{visible}));
     });
 }

@@ -1,8 +1,5 @@
 #include "exact_method.hpp"
 
-#include <algorithm>
-
-#include "backdrop.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
 #include "tile_loop.hpp"
@@ -10,9 +7,8 @@
 namespace lineatlas {
 
 ExactMethod::ExactMethod(const interop::Connection& connection)
-    : stages_(*connection.stages), device_(stages_.device()), lines_(stages_),
-      alpha_(*connection.sharing, compute::table::no_alpha), depth_(connection), fill_(connection),
-      strokes_(connection), intervals_(stages_) {
+    : lines_(*connection.stages), alpha_(*connection.sharing, compute::table::no_alpha),
+      depth_(connection), fill_(connection), strokes_(connection), intervals_(*connection.stages) {
     alpha_.fit(16);
 }
 
@@ -42,20 +38,9 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
     };
     const bool of_intervals = IntervalStage::wants_outlines(frame);
     const bool of_strokes = StrokeStage::wants_outlines(frame);
-    // The usual number of stages of a chunk. Some stages run again if a table was too small.
-    constexpr float usual_stages = 8;
-    float done = 0;
-    const auto clock = [&](const char* name, const auto& action) {
-        if (progress) {
-            device_.finish(); // else progress would tell only what was submitted
-            progress(done);
-            done += std::min((1 - done) / 2, 1 / (usual_stages * static_cast<float>(chunks)));
-        }
-        frame.clock(name, action);
-    };
     const float depth = outline_depth(frame.options.style, frame.camera.size);
     lines_.find(
-        view, chunks, table, clock,
+        view, chunks, progress, table, frame.clock,
         [&](std::size_t, const compute::SegmentTable& segments, const compute::SpanTable& spans) {
             frame.scene.set_order(segments);
             std::optional<compute::OutlineTable> outline;
@@ -77,24 +62,12 @@ bool ExactMethod::grow() {
     return strokes_.grow() || intervals_grown;
 }
 
-void ExactMethod::draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen) {
-    const Fill& fill = frame.options.style.fill;
-    if (!FillStage::draws(frame, depth_)) return frame.backdrop.draw_fill(frame, fill, seen);
-    // Tiles of their own, because pictures of the method may be as large as GL can draw.
-    for (const PictureTile& part :
-         make_tiles(frame.tile.size, most_fill_texels / frame.depth_scale())) {
-        const PictureTile tile{frame.tile.low + part.low, part.size};
-        const compute::DepthTile depth = depth_.draw_tile(frame, tile);
-        fill_.color(frame, depth_, tile, depth.origin);
-        fill_.lay(frame, part.low);
-    }
-}
-
 FrameStats ExactMethod::draw(Frame& frame) {
     find(frame, ProgressPart::none());
-    const gl::TriangleRange all{0, frame.scene.triangle_count()};
-    if (frame.options.draw) draw_fill(frame, {&all, 1});
-    if (frame.options.draw) strokes_.draw(frame, alpha_);
+    if (frame.options.draw) {
+        fill_.draw_tile(frame, depth_);
+        strokes_.draw(frame, alpha_);
+    }
     return {.runs = strokes_.runs_of_frame(), .stages = {}};
 }
 
@@ -104,7 +77,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     progress(0);
     find(frame, progress.part(0, 0.5F));
     draw_by_tiles(frame, target, drawing, [&] {
-        draw_fill(frame, pieces_in_view(frame.scene, frame.clip_of_tile()));
+        fill_.draw_tile(frame, depth_);
         strokes_.draw(frame, alpha_);
     });
     return {.runs = strokes_.runs_of_frame(), .stages = {}};

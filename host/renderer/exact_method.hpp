@@ -40,12 +40,7 @@ class ExactMethod {
     bool grow();
     /// An atlas without samples.
     compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), 0}; }
-    /// Draws the fill of the part that goes to the framebuffer. `seen`: as in
-    /// Backdrop::draw_fill().
-    void draw_fill(Frame& frame, std::span<const gl::TriangleRange> seen);
 
-    compute::Stages& stages_;
-    compute::Device& device_; ///< of stages_
     ExactLines lines_;
     interop::SharedTable alpha_; ///< without samples
     DepthStage depth_;           ///< for fills; lines need no depth

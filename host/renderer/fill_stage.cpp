@@ -60,6 +60,23 @@ void FillStage::draw(Frame& frame, DepthStage& depth) {
     lay(frame);
 }
 
+void FillStage::draw_tile(Frame& frame, DepthStage& depth) {
+    if (!draws(frame, depth)) {
+        const Fill& fill = frame.options.style.fill;
+        if (frame.tile.size == frame.camera.size) return frame.backdrop.draw_fill(frame, fill);
+        return frame.backdrop.draw_fill(frame, fill,
+                                        pieces_in_view(frame.scene, frame.clip_of_tile()));
+    }
+    // Pictures, and tiles of them, may be as large as GL can draw. Depth is not kept for all of it.
+    for (const PictureTile& part :
+         make_tiles(frame.tile.size, most_fill_texels / frame.depth_scale())) {
+        const PictureTile tile{frame.tile.low + part.low, part.size};
+        const compute::DepthTile drawn = depth.draw_tile(frame, tile);
+        color(frame, depth, tile, drawn.origin);
+        lay(frame, part.low);
+    }
+}
+
 void FillStage::lay(Frame& frame, glm::ivec2 at) {
     if (!layer_) layer_.emplace();
     frame.clock.gl("fill", [&] {

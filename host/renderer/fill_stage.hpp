@@ -19,24 +19,25 @@ class FillStage {
 
     /// For another line set.
     void set_scene() { shaded_.release(); }
-    /// Whether the frame has a fill that is drawn in this form. It is if kernels draw the frame's
-    /// depth.
-    static bool draws(const Frame& frame, const DepthStage& depth) {
-        return frame.options.style.fill.mode != FillMode::none && depth.wants_kernels(frame);
-    }
+    /// Draws the fill of a whole picture that `depth` was drawn for, in either form.
+    void draw(Frame& frame, DepthStage& depth);
+    /// Draws the fill of the frame's tile, in either form. In the compute form it draws the tile's
+    /// depth for that: depth that was drawn before is gone.
+    void draw_tile(Frame& frame, DepthStage& depth);
 
+  private:
     /// Colours the pixels of a tile by what `depth` has drawn; `low`: the first texel of its
     /// buffer in the whole picture.
     void color(Frame& frame, DepthStage& depth, const PictureTile& tile, glm::ivec2 low);
-
-    /// Draws the fill of a whole picture that `depth` was drawn for, in either form.
-    void draw(Frame& frame, DepthStage& depth);
     /// Lays the coloured pixels over the picture. `at`: where the tile lies in the part of the
     /// picture that goes to the framebuffer.
     void lay(Frame& frame, glm::ivec2 at = {0, 0});
-
-  private:
     void prepare(const Frame& frame);
+    /// Whether the frame has a fill that is drawn in the compute form. It is if kernels draw the
+    /// frame's depth.
+    static bool draws(const Frame& frame, const DepthStage& depth) {
+        return frame.options.style.fill.mode != FillMode::none && depth.wants_kernels(frame);
+    }
 
     compute::Stages& stages_;
     compute::Device& device_;                                       ///< of stages_

@@ -151,57 +151,47 @@ class LineSearch {
 
 } // namespace
 
-ItemBufferSampler::Tables ItemBufferSampler::tables(std::uint32_t segment_count) {
-    segment_count_ = segment_count;
-    if (clipped_.size() < segment_count) clipped_.resize(segment_count);
-    if (offsets_.size() < std::size_t{segment_count} + 1) {
-        offsets_.resize(std::size_t{segment_count} + 1);
-    }
-    return {std::span{clipped_}.first(segment_count),
-            std::span{offsets_}.first(std::size_t{segment_count} + 1)};
-}
-
-void ItemBufferSampler::fill_lines(glm::ivec2 size) {
+void ItemBufferSampler::fill_lines(const Lines& lines, glm::ivec2 size) {
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < segment_count_; ++i) count += has_samples(i) ? 1U : 0U;
-    const std::span<gl::ItemLine> lines = pass_.map_lines(count);
-    auto next = lines.begin();
-    for (std::size_t i = 0; i < segment_count_; ++i) {
-        if (has_samples(i)) *next++ = RasterLine{clipped_[i], size}.ends(size);
+    for (std::size_t i = 0; i < lines.clipped.size(); ++i) count += lines.samples(i) > 0 ? 1U : 0U;
+    auto next = pass_.map_lines(count).begin();
+    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
+        if (lines.samples(i) > 0) *next++ = RasterLine{lines.clipped[i], size}.ends(size);
     }
 }
 
-void ItemBufferSampler::walk_lines(const gl::ItemImages& images) {
+std::vector<std::uint8_t> ItemBufferSampler::walk(const Lines& lines,
+                                                  const gl::ItemImages& images) {
+    std::vector<std::uint8_t> alpha;
+    alpha.reserve(lines.offsets.back());
     const bool partial = images.layers > 1;
     std::uint32_t id = 0;
-    for (std::size_t i = 0; i < segment_count_; ++i) {
-        if (!has_samples(i)) continue;
-        const std::uint32_t l = offsets_[i + 1] - offsets_[i];
-        std::uint8_t* alpha = alpha_.data() + offsets_[i];
-        const RasterLine line{clipped_[i], images.size};
+    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
+        const std::uint32_t l = lines.samples(i);
+        if (l == 0) continue;
+        const RasterLine line{lines.clipped[i], images.size};
         const LineSearch search{images, ++id, line};
         const float inverse_l = 1.0F / static_cast<float>(l);
         for (std::uint32_t j = 0; j < l; ++j) {
             const float from = static_cast<float>(j) * inverse_l;
             const float to = static_cast<float>(j + 1) * inverse_l;
-            alpha[j] = partial ? search.share_seen(from, to) : search.is_seen(from, to);
+            alpha.push_back(partial ? search.share_seen(from, to) : search.is_seen(from, to));
         }
     }
+    return alpha;
 }
 
-std::span<const std::uint8_t> ItemBufferSampler::sample(const Frame& frame) {
+std::vector<std::uint8_t> ItemBufferSampler::sample(const Frame& frame, const Lines& lines) {
     const auto scale = static_cast<int>(frame.probes_per_axis());
     const gl::ItemBufferShape shape{.viewport = frame.camera.size,
                                     .scale = scale,
                                     .layers = scale > 1 ? gl::ItemBufferPass::max_layers : 1};
-    const std::size_t samples = offsets_[segment_count_];
-    if (alpha_.size() < samples) alpha_.resize(samples);
-    fill_lines(shape.size());
+    fill_lines(lines, shape.size());
     const gl::ItemImages images =
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(), shape);
-    walk_lines(images);
+    std::vector<std::uint8_t> alpha = walk(lines, images);
     pass_.unmap_images();
-    return std::span{alpha_}.first(samples);
+    return alpha;
 }
 
 } // namespace lineatlas

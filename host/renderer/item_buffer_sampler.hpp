@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "frame.hpp"
@@ -29,27 +28,21 @@ namespace lineatlas {
 /// covers one.
 class ItemBufferSampler {
   public:
-    /// Host memory for the tables that `sample` reads, to be filled by the caller.
-    struct Tables {
-        std::span<ClippedSegment> clipped; ///< valid where a segment has samples
-        std::span<std::uint32_t> offsets;  ///< first sample of each segment, then the total
-    };
-    Tables tables(std::uint32_t segment_count);
+    /// The segments of a frame.
+    struct Lines {
+        std::vector<ClippedSegment> clipped; ///< valid where a segment has samples
+        std::vector<std::uint32_t> offsets;  ///< first sample of each segment, then the total
 
-    /// The visibility of all samples of the frame, a byte each; valid until the next call.
-    std::span<const std::uint8_t> sample(const Frame& frame);
+        std::uint32_t samples(std::size_t i) const { return offsets[i + 1] - offsets[i]; }
+    };
+    /// The visibility of all samples of the frame, a byte each.
+    std::vector<std::uint8_t> sample(const Frame& frame, const Lines& lines);
 
   private:
-    void fill_lines(glm::ivec2 size);
-    void walk_lines(const gl::ItemImages& images);
-    bool has_samples(std::size_t i) const { return offsets_[i + 1] > offsets_[i]; }
+    void fill_lines(const Lines& lines, glm::ivec2 size);
+    static std::vector<std::uint8_t> walk(const Lines& lines, const gl::ItemImages& images);
 
     gl::ItemBufferPass pass_;
-    std::uint32_t segment_count_ = 0;
-    // These tables never shrink: their sizes change little from frame to frame.
-    std::vector<ClippedSegment> clipped_;
-    std::vector<std::uint32_t> offsets_;
-    std::vector<std::uint8_t> alpha_;
 };
 
 } // namespace lineatlas

@@ -35,26 +35,6 @@
 namespace lineatlas {
 namespace {
 
-interop::ConnectOptions connect_options(const DeviceOptions& options) {
-    interop::ConnectOptions result{.kind = options.compute,
-                                   .device = options.device,
-                                   .mode = interop::mode_of(options.interop),
-                                   .compare_with = options.compare_with,
-                                   .compare_until = options.compare_until,
-                                   .one_picture = options.one_picture};
-    if (!options.interop.empty() && !result.mode) {
-        throw UsageError("unknown interop \"" + options.interop + "\"; there is " +
-                         interop::mode_names());
-    }
-    if (!options.compare_with.empty()) {
-        if (!result.mode) result.mode = interop::SharingMode::copy;
-        if (interop::is_for_one_device(*result.mode)) {
-            throw UsageError("comparing devices needs DeviceOptions::interop host-pointer or copy");
-        }
-    }
-    return result;
-}
-
 GLuint framebuffer_name(GLuint framebuffer) {
     if (framebuffer == bound_framebuffer) {
         GLint bound = 0;
@@ -108,8 +88,8 @@ class Renderer::State {
 
   public:
     explicit State(const DeviceOptions& options)
-        : connection_(interop::connect(connect_options(options))),
-          automatic_(forms_for(connection_)), atlas_(std::make_unique<AtlasMethod>(connection_)) {}
+        : connection_(interop::connect(options)), automatic_(forms_for(connection_)),
+          atlas_(std::make_unique<AtlasMethod>(connection_)) {}
 
     compute::Device& device() const { return connection_.stages->device(); }
 
@@ -209,17 +189,11 @@ class Renderer::State {
         check_frame(camera, options);
         framebuffer = framebuffer_name(framebuffer);
         if (options.draw) check_framebuffer(framebuffer, options);
-        std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
-        Frame frame = begin(camera, options, framebuffer);
-        move(frame);
-        samples_drawn_ = false;
-        FrameStats stats = unbroken([&] { return draw_method(frame); });
-        samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
-        has_exact_intervals_ = options.method == Method::exact;
-        if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
-        stats.stages = frame.clock.take();
-        if (profiled) profiled->finish(stats);
-        return stats;
+        return draw_by(camera, options, framebuffer, [&](Frame& frame) {
+            FrameStats stats = draw_method(frame);
+            if (options.draw) backdrop_.draw_paper(frame, options.style.paper);
+            return stats;
+        });
     }
 
     void prepare(const FrameOptions& options, const Progress& progress) {
@@ -247,20 +221,10 @@ class Renderer::State {
         if (target.tile_size < 1)
             throw UsageError("tiles: a tile must have at least one pixel a side");
         check_frame(camera, options);
-        const GLuint framebuffer = framebuffer_name(target.framebuffer);
-        std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
-        Frame frame = begin(camera, options, framebuffer);
-        move(frame);
-        samples_drawn_ = false;
-        const bool by_cuts = options.method == Method::exact;
-        FrameStats stats = unbroken([&] {
-            return by_cuts ? exact().draw_tiles(frame, target) : atlas_->draw_tiles(frame, target);
+        return draw_by(camera, options, framebuffer_name(target.framebuffer), [&](Frame& frame) {
+            return options.method == Method::exact ? exact().draw_tiles(frame, target)
+                                                   : atlas_->draw_tiles(frame, target);
         });
-        has_exact_intervals_ = by_cuts;
-        stats.stages = frame.clock.take();
-        if (profiled) profiled->finish(stats);
-        samples_drawn_ = !by_cuts;
-        return stats;
     }
 
     std::vector<Interval> read_intervals() {
@@ -357,6 +321,22 @@ class Renderer::State {
         stats.triangles = scene_->triangle_count();
         stats.segments = scene_->segment_count();
         count_memory(stats);
+        return stats;
+    }
+
+    /// Draws a frame by an action, and takes its times.
+    template <class Action>
+    FrameStats draw_by(const Camera& camera, const FrameOptions& options, GLuint framebuffer,
+                       Action&& action) {
+        std::optional<ProfileRecorder::Frame> profiled = begin_profile(options);
+        Frame frame = begin(camera, options, framebuffer);
+        move(frame);
+        samples_drawn_ = false;
+        FrameStats stats = unbroken([&] { return action(frame); });
+        samples_drawn_ = options.method == Method::atlas || options.method == Method::item_buffer;
+        has_exact_intervals_ = options.method == Method::exact;
+        stats.stages = frame.clock.take();
+        if (profiled) profiled->finish(stats);
         return stats;
     }
 
@@ -503,7 +483,7 @@ std::string Renderer::note() const {
 
 void Renderer::set_device(const DeviceOptions& options) {
     const gl::StateGuard guard = state_->enter();
-    state_->use(interop::connect(connect_options(options)));
+    state_->use(interop::connect(options));
 }
 Renderer::Comparison Renderer::comparison() const {
     const auto* comparing = dynamic_cast<const compute::ComparingDevice*>(&state_->device());

@@ -37,6 +37,13 @@ gl::Buffer upload_gl(std::span<const std::byte> data, const Purpose& purpose,
     return buffer;
 }
 
+/// A buffer of GL with the first `count` values of a table. Waits for the device.
+template <class T>
+gl::Buffer copy_to_gl(compute::Device& device, compute::Buffer& table, std::size_t count,
+                      const Purpose& purpose) {
+    return upload_gl(bytes_of(compute::read_back<T>(device, table, count)), purpose);
+}
+
 } // namespace
 
 SceneBuffers::SceneBuffers(compute::Stages& stages, interop::Sharing& sharing, const LineSet& lines,
@@ -61,21 +68,21 @@ bool SceneBuffers::is_cut_up() const {
 }
 
 std::vector<glm::uvec3> SceneBuffers::ordered_triangles() {
-    const auto triangles =
-        compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_);
+    return in_order(compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_));
+}
+
+std::vector<glm::uvec3> SceneBuffers::in_order(const std::vector<glm::uvec3>& of_triangles) const {
     std::vector<glm::uvec3> ordered(triangle_count_);
     std::ranges::transform(triangle_order_, ordered.begin(),
-                           [&](std::uint32_t place) { return triangles[place]; });
+                           [&](std::uint32_t place) { return of_triangles[place]; });
     return ordered;
 }
 
 GLuint SceneBuffers::gl_vertices() {
     if (tables_.moving) return tables_.moving->drawn.gl();
-    if (!gl_vertices_) {
-        gl_vertices_ = upload_gl(bytes_of(compute::read_back<glm::vec3>(device(), *tables_.vertices,
-                                                                        motion_.vertex_count())),
-                                 purpose::model);
-    }
+    if (!gl_vertices_)
+        gl_vertices_ = copy_to_gl<glm::vec3>(device(), *tables_.vertices, motion_.vertex_count(),
+                                             purpose::model);
     return gl_vertices_.id();
 }
 
@@ -122,26 +129,26 @@ SceneBuffers::Surfaces SceneBuffers::surfaces() {
 SceneBuffers::GlSurfaces SceneBuffers::gl_surfaces() {
     if (!gl_numbers_) {
         const Surfaces own = surfaces();
-        gl_patches_ = upload_gl(
-            bytes_of(compute::read_back<std::uint32_t>(device(), own.patches, triangle_count_)),
-            purpose::model);
-        gl_numbers_ = upload_gl(
-            bytes_of(compute::read_back<std::uint32_t>(device(), own.numbers, triangle_count_)),
-            purpose::model);
+        gl_patches_ = copy_to_gl<la_uint>(device(), own.patches, triangle_count_, purpose::model);
+        gl_numbers_ = copy_to_gl<la_uint>(device(), own.numbers, triangle_count_, purpose::model);
     }
     return {gl_numbers_.id(), gl_patches_.id()};
 }
 
-void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
-    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
-    motion_.set_transforms(world_from_object);
+template <class Change>
+void SceneBuffers::change(const Change& change) {
+    std::unique_ptr<Moving> made;
+    if (!tables_.moving) made = make_moving(*stages_, *sharing_); // before anything changes
+    change();
     start_moving(std::move(made));
 }
 
+void SceneBuffers::set_transforms(std::span<const glm::mat4> world_from_object) {
+    change([&] { motion_.set_transforms(world_from_object); });
+}
+
 void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3> positions) {
-    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
-    motion_.set_positions(first, positions);
-    start_moving(std::move(made));
+    change([&] { motion_.set_positions(first, positions); });
     device().upload(*tables_.vertices, std::as_bytes(positions), first * sizeof(glm::vec3));
     if (clusters_.empty()) return; // then there are no triangles
     if (!tables_.cluster_triangles) {
@@ -157,13 +164,7 @@ void SceneBuffers::set_positions(std::uint32_t first, std::span<const glm::vec3>
 }
 
 void SceneBuffers::set_hidden(std::span<const std::uint32_t> objects) {
-    std::unique_ptr<Moving> made = make_moving_once(); // before anything changes
-    motion_.set_hidden(objects);
-    start_moving(std::move(made));
-}
-
-std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving_once() const {
-    return tables_.moving ? nullptr : make_moving(*stages_, *sharing_);
+    change([&] { motion_.set_hidden(objects); });
 }
 
 void SceneBuffers::start_moving(std::unique_ptr<Moving> made) {
@@ -176,26 +177,17 @@ void SceneBuffers::start_moving(std::unique_ptr<Moving> made) {
 
 std::unique_ptr<SceneBuffers::Moving> SceneBuffers::make_moving(compute::Stages& stages,
                                                                 interop::Sharing& sharing) const {
-    const std::size_t objects = followed_ ? followed_->object_room : motion_.objects().size();
-    const MovingTables::Shape shape{.vertex_count = motion_.vertex_count(),
-                                    .objects = motion_.objects(),
-                                    .object_room = objects,
-                                    .cluster_objects = cluster_objects_,
-                                    .corner_count = tables_.contour_chunk().corner_count()};
-    std::unique_ptr<Moving> made{
-        new Moving{{stages, shape}, {sharing, compute::table::drawn_vertices}}};
+    const std::size_t room = followed_ ? followed_->object_room : 0;
+    std::unique_ptr<Moving> made{new Moving{{stages, tables_, motion_, cluster_objects_, room},
+                                            {sharing, compute::table::drawn_vertices}}};
     made->drawn.fit(motion_.vertex_count() * sizeof(glm::vec3));
     return made;
 }
 
 void SceneBuffers::move() {
-    tables_.moving->place(motion_.transforms());
-    normals_.find(*stages_, tables_);
-    tables_.moving->transform(
-        {*tables_.vertices, tables_.clusters.get(), tables_.contour_chunk().corners.get()},
-        &tables_.moving->drawn.compute());
+    tables_.moving->move(tables_, motion_, normals_, tables_.clusters.get(),
+                         &tables_.moving->drawn.compute());
     moved_ = false;
-    ++tables_.version;
     boxes_are_old_ = true;
 }
 
@@ -278,10 +270,7 @@ std::vector<glm::uvec3> SceneBuffers::smooth_corners(const compute::ContourTable
     for (std::uint32_t i = 0; i < contours.face_count; ++i)
         if (own[i].x != own[i].y) // else it stands in empty room, see Assembly
             of_triangle[faces[i].face_a] = own[i];
-    std::vector<glm::uvec3> ordered(triangle_count_);
-    std::ranges::transform(triangle_order_, ordered.begin(),
-                           [&](std::uint32_t place) { return of_triangle[place]; });
-    return ordered;
+    return in_order(of_triangle);
 }
 
 compute::SmoothTriangles SceneBuffers::smooth_triangles() {
@@ -299,9 +288,8 @@ std::optional<gl::SmoothTriangles> SceneBuffers::gl_smooth_triangles() {
     if (!gl_smooth_corners_)
         gl_smooth_corners_ = upload_gl(bytes_of(smooth_corners(*contours)), purpose::fill);
     if (!gl_normals_ || normals_version_ != tables_.version) {
-        const auto corners = compute::read_back<ContourCorner>(
-            device(), *contours->corners, tables_.contour_chunk().corner_count());
-        gl_normals_ = upload_gl(bytes_of(corners), purpose::fill);
+        gl_normals_ = copy_to_gl<ContourCorner>(
+            device(), *contours->corners, tables_.contour_chunk().corner_count(), purpose::fill);
         normals_version_ = tables_.version;
     }
     return gl::SmoothTriangles{gl_smooth_corners_.id(), gl_normals_.id(),
@@ -338,9 +326,8 @@ gl::SegmentBuffers SceneBuffers::gl_segments() {
     if (!gl_segments_) {
         gl_segments_ = upload_gl(bytes_of(download_segments(device(), tables_)), purpose::spine);
         // These are in the order that segments refer to. gl_indices_ may have another order.
-        gl_table_triangles_ = upload_gl(
-            bytes_of(compute::read_back<glm::uvec3>(device(), *tables_.triangles, triangle_count_)),
-            purpose::spine);
+        gl_table_triangles_ =
+            copy_to_gl<glm::uvec3>(device(), *tables_.triangles, triangle_count_, purpose::spine);
     }
     return {.segments = gl_segments_.id(),
             .vertices = gl_vertices(),

@@ -20,11 +20,8 @@
 #include "glpasses/spine_pass.hpp"
 #include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
-#include "visibility/contour_normals.hpp"
 #include "visibility/exact_intervals.hpp"
-#include "visibility/line_tables.hpp"
 #include "visibility/moving_tables.hpp"
-#include "visibility/scene_motion.hpp"
 
 namespace lineatlas {
 
@@ -174,11 +171,13 @@ class SceneBuffers {
     }
     /// Per triangle of gl_triangles() its corners among those of contours, or LA_NO_SURFACE.
     std::vector<glm::uvec3> smooth_corners(const compute::ContourTables& contours) const;
-    /// In the order of gl_triangles().
-    std::vector<glm::uvec3> ordered_triangles();
+    /// Values of triangles in the order of gl_triangles().
+    std::vector<glm::uvec3> in_order(const std::vector<glm::uvec3>& of_triangles) const;
+    std::vector<glm::uvec3> ordered_triangles(); ///< the triangles themselves
     void upload_colors(const LineSet& lines);
-    /// Makes the tables of motion; nothing if they exist.
-    std::unique_ptr<Moving> make_moving_once() const;
+    /// Runs an action that changes `motion_`, with tables of motion made before.
+    template <class Change>
+    void change(const Change& change);
     void start_moving(std::unique_ptr<Moving> made);
     std::unique_ptr<Moving> make_moving(compute::Stages& stages, interop::Sharing& sharing) const;
     GLuint gl_vertices();

@@ -24,12 +24,15 @@ void SurfaceStage::begin(Frame& frame, glm::ivec2 size) {
 void SurfaceStage::find_planes(Frame& frame, compute::Buffer* seen) {
     if (!known_) return;
     frame.clock("planes", [&] {
-        stages_.planes({.model = frame.scene.meshlets(),
-                        .vertices = frame.scene.table().vertices,
-                        .view = view_,
-                        .contact = frame.scene.contact(),
-                        .seen = seen,
-                        .planes = planes_.compute()});
+        const compute::MeshletTables model = frame.scene.meshlets();
+        stages_.launch<compute::kernels::planes>(
+            model.count,
+            {.count = model.count,
+             .world_from_screen = view_.world_from_screen,
+             .contact = frame.scene.contact(),
+             .only_seen = seen != nullptr ? 1U : 0U},
+            {.vertices = &frame.scene.table().vertices, .seen = seen, .planes = &planes_.compute()},
+            model);
     });
 }
 

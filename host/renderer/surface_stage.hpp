@@ -26,7 +26,7 @@ class SurfaceStage {
     /// The numbers of triangles, which kernels of `depth` write and GL passes copy; null if nobody
     /// asks for them.
     interop::SharedTable* numbers() { return numbered_ ? &numbers_ : nullptr; }
-    /// Computes the planes; seen: DepthArgs::seen, null for all clusters.
+    /// Computes the planes. seen: DepthArgs::seen; null: of all clusters.
     void find_planes(Frame& frame, compute::Buffer* seen);
 
     /// The surfaces for kernels.

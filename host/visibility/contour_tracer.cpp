@@ -48,10 +48,10 @@ struct Node {
 /// A surface as one view sees it, in the shape's own coordinates.
 class SeenSurface {
   public:
-    SeenSurface(const SurfaceShape& shape, const PlacedSurface& placed, const TraceView& view)
+    SeenSurface(const SurfaceShape& shape, const PlacedSurface& placed, const glm::dvec4& eye)
         : shape_(shape), placed_(placed), sign_(placed.turned ? -1 : 1) {
         const glm::dmat4 world{placed.model_from_shape};
-        eye_ = glm::inverse(world) * view.eye;
+        eye_ = glm::inverse(world) * eye;
         normal_turn_ = glm::transpose(glm::inverse(glm::dmat3{world}));
         if (shape.kind == SurfaceShape::Kind::revolution && eye_.w == 0) look_level_or_along();
     }
@@ -207,12 +207,14 @@ double root_between(double at_a, double at_b, const Function& function) {
 /// The silhouettes of one view, as they are found.
 class ContourTracer::Frame {
   public:
-    Frame(const ContourTracer& tracer, const TraceView& view)
-        : tracer_(tracer), view_(view), facing_(tracer.corners_.size(), unknown),
+    Frame(const ContourTracer& tracer, const Camera& camera, bool outside)
+        : tracer_(tracer), eye_(camera.eye()),
+          clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
+          size_(camera.size), outside_(outside), facing_(tracer.corners_.size(), unknown),
           node_of_edge_(tracer.edge_count_, none) {
         surfaces_.reserve(tracer.surfaces_.surfaces.size());
         for (const PlacedSurface& surface : tracer.surfaces_.surfaces)
-            surfaces_.emplace_back(tracer.surfaces_.shapes[surface.shape], surface, view);
+            surfaces_.emplace_back(tracer.surfaces_.shapes[surface.shape], surface, eye_);
     }
 
     compute::TracedSilhouettes trace() {
@@ -249,7 +251,7 @@ class ContourTracer::Frame {
         double& value = facing_[corner];
         if (value != unknown) return value;
         const Corner& one = tracer_.corners_[corner];
-        const glm::dvec3 to_eye = glm::dvec3{view_.eye} - one.at * view_.eye.w;
+        const glm::dvec3 to_eye = glm::dvec3{eye_} - one.at * eye_.w;
         value = glm::dot(one.normal, to_eye) / std::max(glm::length(to_eye), 1e-300);
         if (std::abs(value) < doubtful) {
             const std::uint32_t face = one.place / 3;
@@ -374,8 +376,8 @@ class ContourTracer::Frame {
     }
 
     glm::dvec2 on_screen(const glm::dvec3& world) const {
-        const glm::dvec4 clip = view_.clip_from_world * glm::dvec4{world, 1};
-        return 0.5 * view_.size * (glm::dvec2{clip} / clip.w);
+        const glm::dvec4 clip = clip_from_world_ * glm::dvec4{world, 1};
+        return 0.5 * size_ * (glm::dvec2{clip} / clip.w);
     }
 
     /// Whether the chord between two places is as good as the silhouette, judged by a place
@@ -451,8 +453,8 @@ class ContourTracer::Frame {
         segment.face_b = LA_NO_FACE;
         segment.tag |= LA_TAG_CONTOUR;
         if (radial < 0)
-            segment.tag |= view_.outside && (segment.tag & LA_TAG_SOLID) != 0 ? LA_TAG_BURIED
-                                                                              : LA_TAG_UNDERSIDE;
+            segment.tag |=
+                outside_ && (segment.tag & LA_TAG_SOLID) != 0 ? LA_TAG_BURIED : LA_TAG_UNDERSIDE;
         traced_.segments.push_back(segment);
         traced_.faces.push_back(crossing.face);
     }
@@ -522,7 +524,10 @@ class ContourTracer::Frame {
     }
 
     const ContourTracer& tracer_;
-    const TraceView& view_;
+    glm::dvec4 eye_; ///< as Camera::eye()
+    glm::dmat4 clip_from_world_;
+    glm::dvec2 size_; ///< of the picture, pixels
+    bool outside_;
     std::vector<SeenSurface> surfaces_;
     std::vector<double> facing_;              ///< per corner
     std::vector<std::uint32_t> node_of_edge_; ///< per edge, or none
@@ -576,8 +581,8 @@ void ContourTracer::leave_out_mixed() {
     }
 }
 
-compute::TracedSilhouettes ContourTracer::trace(const TraceView& view) const {
-    return Frame{*this, view}.trace();
+compute::TracedSilhouettes ContourTracer::trace(const Camera& camera, bool outside) const {
+    return Frame{*this, camera, outside}.trace();
 }
 
 } // namespace lineatlas

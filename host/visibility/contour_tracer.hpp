@@ -9,17 +9,10 @@
 #include <glm/vec4.hpp>
 
 #include "compute/stages/silhouette_chains.hpp"
+#include "lineatlas/camera.hpp"
 #include "lineatlas/lines.hpp"
 
 namespace lineatlas {
-
-/// The view for which silhouettes of surfaces are found.
-struct TraceView {
-    glm::dvec4 eye; ///< as Camera::eye()
-    glm::dmat4 clip_from_world;
-    glm::dvec2 size;      ///< of the picture, pixels
-    bool outside = false; ///< see sees_from_outside()
-};
 
 /// Finds the silhouettes of known surfaces (Contours::surfaces). The signs of n.v at the corners of
 /// triangles tell which silhouettes there are, as in the stage `contour` (Hertzmann and Zorin
@@ -30,7 +23,8 @@ class ContourTracer {
     /// `lines` need not outlive it.
     explicit ContourTracer(const LineSet& lines);
 
-    compute::TracedSilhouettes trace(const TraceView& view) const;
+    /// `outside`: see sees_from_outside().
+    compute::TracedSilhouettes trace(const Camera& camera, bool outside) const;
 
   private:
     class Frame;

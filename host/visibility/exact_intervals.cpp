@@ -1,7 +1,5 @@
 #include "exact_intervals.hpp"
 
-#include <algorithm>
-
 #include "outline_parts.hpp"
 
 namespace lineatlas {
@@ -15,20 +13,9 @@ std::vector<Interval> ExactIntervals::find(const PlacedLines& lines, const LineV
                                            const Wanted& wanted, const ProgressPart& progress) {
     const std::size_t chunks = lines.tables.chunks.size();
     intervals_.begin_frame(true);
-    // The usual number of stages of a chunk. Some stages run again if a table was too small.
-    constexpr float usual_stages = 12;
-    float done = 0;
-    const auto run = [&](const char*, const auto& action) {
-        if (progress) {
-            stages_.device().finish(); // else progress would tell only what was submitted
-            progress(done);
-            const float left = 1 - done;
-            done += std::min(left / 2, 1 / (usual_stages * static_cast<float>(chunks)));
-        }
-        action();
-    };
     lines_.find(
-        view, chunks, [&](std::size_t chunk) { return lines.chunk(chunk); }, run,
+        view, chunks, progress, [&](std::size_t chunk) { return lines.chunk(chunk); },
+        [](const char*, const auto& action) { action(); },
         [&](std::size_t chunk, const compute::SegmentTable& segments,
             const compute::SpanTable& spans) {
             do {

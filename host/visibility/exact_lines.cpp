@@ -1,7 +1,5 @@
 #include "exact_lines.hpp"
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 namespace lineatlas {
 
 void ExactLines::release() {
@@ -35,17 +33,8 @@ void ExactLines::make_room(std::uint32_t segments) {
     device_.clear(*no_offsets_, sums);
 }
 
-compute::TracedSilhouettes ExactLines::trace(const LineView& view) {
-    return view.tracer->trace(
-        {.eye = glm::dvec4{view.camera.eye()},
-         .clip_from_world = glm::dmat4{view.camera.projection} * glm::dmat4{view.camera.view},
-         .size = glm::dvec2{view.camera.size},
-         .outside = sees_from_outside(view.camera, view.bounds)});
-}
-
 void ExactLines::project_clip(const LineView& view, const compute::SegmentTable& candidates,
                               const compute::SegmentTable& table) {
-    const glm::mat4 clip_from_world = view.camera.clip_from_world();
     compute::BatchTable batches;
     if (batches_.has_segments(candidates)) {
         batches = batches_.table();
@@ -53,8 +42,7 @@ void ExactLines::project_clip(const LineView& view, const compute::SegmentTable&
     }
     stages_.project_clip({.table = table,
                           .front = chains_.front(),
-                          .clip_from_world = clip_from_world,
-                          .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
+                          .clip_from_world = view.camera.clip_from_world(),
                           .viewport = view.viewport(),
                           .step = view.step,
                           .kind_mask = view.lines,

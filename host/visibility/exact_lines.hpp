@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "compute/stages/exact_visibility.hpp"
 #include "compute/stages/silhouette_chains.hpp"
+#include "core/progress.hpp"
 #include "core/standard_camera.hpp"
 #include "line_tables.hpp"
 #include "table_order.hpp"
@@ -49,20 +51,36 @@ class ExactLines {
     void make_tables(std::uint32_t fixed_segments);
 
     /// Finds the visible parts, chunk by chunk. `table(chunk)` returns the tables that kernels
-    /// read. `clock(name, action)` runs a stage. `use(chunk, segments, spans)` takes the visible
-    /// spans of the chunk's clipped() segments, in this frame's order().
-    template <class Table, class Clock, class Use>
-    void find(const LineView& view, std::size_t chunk_count, const Table& table, Clock&& clock,
-              Use&& use) {
+    /// read. `run(name, action)` runs a stage. `use(chunk, segments, spans)` takes the visible
+    /// spans of the chunk's clipped() segments, in this frame's order(). Throws Cancelled.
+    template <class Table, class Run, class Use>
+    void find(const LineView& view, std::size_t chunk_count, const ProgressPart& progress,
+              const Table& table, Run&& run, Use&& use) {
+        // The usual number of stages of a chunk. Some stages run again if a table was too small.
+        constexpr float usual_stages = 12;
+        float done = 0;
+        const auto clock = [&](const char* name, const auto& action) {
+            if (progress) {
+                device_.finish(); // else progress would tell only what was submitted
+                progress(done);
+                const auto chunks = static_cast<float>(chunk_count);
+                done += std::min((1 - done) / 2, 1 / (usual_stages * chunks));
+            }
+            run(name, action);
+        };
         for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
             const compute::SegmentTable candidates = table(chunk);
             const bool wanted = (view.lines & mask_of(LineKind::silhouette)) != 0;
             const bool traced =
                 wanted && view.tracer != nullptr && candidates.candidates.contours.has_value();
             chains_.take({});
-            if (traced) clock("contour", [&] { chains_.take(trace(view)); });
-            const compute::SegmentTable segments = chains_.table_of(
-                candidates, wanted, compute::silhouette_view(view.camera, view.bounds), clock);
+            const compute::SilhouetteView seen = compute::silhouette_view(view.camera, view.bounds);
+            if (traced) {
+                clock("contour",
+                      [&] { chains_.take(view.tracer->trace(view.camera, seen.from_outside)); });
+            }
+            const compute::SegmentTable segments =
+                chains_.table_of(candidates, wanted, seen, clock);
             make_room(segments.segment_count);
             if (chunk == 0) {
                 visibility_.begin(segments, view.camera, view.bounds, view.contact);
@@ -96,7 +114,6 @@ class ExactLines {
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
 
   private:
-    static compute::TracedSilhouettes trace(const LineView& view);
     void make_room(std::uint32_t segments);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,
                       const compute::SegmentTable& table);

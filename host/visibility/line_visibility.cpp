@@ -8,7 +8,6 @@
 
 #include "compute/choose_device.hpp"
 #include "compute/opencl/device_trial.hpp"
-#include "contour_normals.hpp"
 #include "core/check_camera.hpp"
 #include "core/check_lines.hpp"
 #include "core/contact.hpp"
@@ -17,7 +16,6 @@
 #include "lineatlas/error.hpp"
 #include "moving_tables.hpp"
 #include "picking.hpp"
-#include "scene_motion.hpp"
 #include "trial_lines.hpp"
 
 namespace lineatlas {
@@ -134,20 +132,8 @@ class LineVisibility::State {
     /// The lines where they are now.
     PlacedLines place() {
         if (moved_) {
-            if (!moving_) {
-                moving_.emplace(
-                    stages_,
-                    MovingTables::Shape{.vertex_count = motion_->vertex_count(),
-                                        .objects = motion_->objects(),
-                                        .object_room = motion_->objects().size(),
-                                        .cluster_objects = {},
-                                        .corner_count = tables_->contour_chunk().corner_count()});
-            }
-            moving_->place(motion_->transforms());
-            normals_.find(stages_, *tables_);
-            moving_->transform(
-                {*tables_->vertices, nullptr, tables_->contour_chunk().corners.get()});
-            ++tables_->version;
+            if (!moving_) moving_.emplace(stages_, *tables_, *motion_);
+            moving_->move(*tables_, *motion_, normals_);
             moved_ = false;
         }
         return {*tables_, moving_ ? moving_->vertices() : *tables_->vertices,

@@ -19,10 +19,10 @@ void add_rows(std::vector<float>& rows, const Matrix& matrix) {
         for (int column = 0; column < columns; ++column) rows.push_back(matrix[column][row]);
 }
 
-std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) {
-    std::vector<std::uint32_t> result(shape.vertex_count);
-    for (std::size_t i = 0; i < shape.objects.size(); ++i) {
-        const LineObject& object = shape.objects[i];
+std::vector<std::uint32_t> object_of_vertices(const SceneMotion& motion) {
+    std::vector<std::uint32_t> result(motion.vertex_count());
+    for (std::size_t i = 0; i < motion.objects().size(); ++i) {
+        const LineObject& object = motion.objects()[i];
         std::ranges::fill(std::span{result}.subspan(object.first_vertex, object.vertex_count),
                           static_cast<std::uint32_t>(i));
     }
@@ -31,22 +31,24 @@ std::vector<std::uint32_t> object_of_vertices(const MovingTables::Shape& shape) 
 
 } // namespace
 
-MovingTables::MovingTables(compute::Stages& stages, const Shape& shape)
-    : stages_(stages), device_(stages.device()), vertex_count_(shape.vertex_count),
-      cluster_count_(static_cast<std::uint32_t>(shape.cluster_objects.size())),
-      corner_count_(shape.corner_count),
-      objects_(compute::upload(device_, object_of_vertices(shape), compute::table::objects)),
-      cluster_objects_(
-          compute::upload(device_, shape.cluster_objects, compute::table::cluster_objects)),
-      matrices_(compute::allocate(device_, shape.object_room * matrix_floats * sizeof(float),
-                                  compute::table::matrices)),
-      jumped_(compute::allocate(device_, shape.object_room, compute::table::jumped)),
+MovingTables::MovingTables(compute::Stages& stages, const LineTables& lines,
+                           const SceneMotion& motion,
+                           std::span<const std::uint32_t> cluster_objects, std::size_t object_room)
+    : stages_(stages), device_(stages.device()), vertex_count_(motion.vertex_count()),
+      cluster_count_(static_cast<std::uint32_t>(cluster_objects.size())),
+      corner_count_(lines.contour_chunk().corner_count()),
+      objects_(compute::upload(device_, object_of_vertices(motion), compute::table::objects)),
+      cluster_objects_(compute::upload(device_, cluster_objects, compute::table::cluster_objects)),
       vertices_(compute::allocate(device_, vertex_count_ * sizeof(glm::vec3),
                                   compute::table::moved_vertices)),
       clusters_(compute::allocate(device_, cluster_count_ * sizeof(Cluster),
                                   compute::table::moved_clusters)) {
+    object_room = std::max(object_room, motion.objects().size());
+    matrices_ = compute::allocate(device_, object_room * matrix_floats * sizeof(float),
+                                  compute::table::matrices);
+    jumped_ = compute::allocate(device_, object_room, compute::table::jumped);
     if (corner_count_ == 0) return;
-    turns_ = compute::allocate(device_, shape.object_room * turn_floats * sizeof(float),
+    turns_ = compute::allocate(device_, object_room * turn_floats * sizeof(float),
                                compute::table::turns);
     corners_ = compute::allocate(device_, corner_count_ * sizeof(ContourCorner),
                                  compute::table::turned_corners);
@@ -72,26 +74,34 @@ void MovingTables::place(std::span<const glm::mat4> world_from_object) {
     device_.upload(*turns_, std::as_bytes(std::span{rows_}));
 }
 
-void MovingTables::transform(const Rest& rest, compute::Buffer* drawn) {
+void MovingTables::move(LineTables& lines, const SceneMotion& motion, ContourNormals& normals,
+                        compute::Buffer* clusters, compute::Buffer* drawn) {
+    place(motion.transforms());
+    normals.find(stages_, lines);
     if (drawn == nullptr) {
         unread_.fit(vertex_count_ * sizeof(glm::vec3));
         drawn = unread_.get();
     }
-    stages_.transform({.rest = rest.vertices,
-                       .objects = *objects_,
-                       .matrices = *matrices_,
-                       .vertex_count = vertex_count_,
-                       .vertices = *vertices_,
-                       .drawn = *drawn,
-                       .rest_clusters = rest.clusters != nullptr ? *rest.clusters : *clusters_,
-                       .cluster_objects = *cluster_objects_,
-                       .cluster_count = cluster_count_,
-                       .clusters = *clusters_});
-    if (turns_ && rest.corners != nullptr) {
-        stages_.launch_each<compute::kernels::contour_turn>(
-            corner_count_,
-            {.rest = *rest.corners, .objects = *objects_, .turns = *turns_, .corners = *corners_});
+    stages_.launch_each<compute::kernels::transform>(vertex_count_, {.rest = *lines.vertices,
+                                                                     .objects = *objects_,
+                                                                     .matrices = *matrices_,
+                                                                     .vertices = *vertices_,
+                                                                     .drawn = *drawn});
+    if (clusters != nullptr) {
+        stages_.launch_each<compute::kernels::transform_boxes>(cluster_count_,
+                                                               {.rest = *clusters,
+                                                                .objects = *cluster_objects_,
+                                                                .matrices = *matrices_,
+                                                                .clusters = *clusters_});
     }
+    if (turns_) {
+        stages_.launch_each<compute::kernels::contour_turn>(corner_count_,
+                                                            {.rest = *lines.contour_chunk().corners,
+                                                             .objects = *objects_,
+                                                             .turns = *turns_,
+                                                             .corners = *corners_});
+    }
+    ++lines.version;
 }
 
 void MovingTables::forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,

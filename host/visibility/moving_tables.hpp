@@ -8,7 +8,9 @@
 #include <glm/mat4x4.hpp>
 
 #include "compute/stages/stages.hpp"
-#include "lineatlas/lines.hpp"
+#include "contour_normals.hpp"
+#include "line_tables.hpp"
+#include "scene_motion.hpp"
 
 namespace lineatlas {
 
@@ -16,32 +18,21 @@ namespace lineatlas {
 /// present places of its vertices.
 class MovingTables {
   public:
-    struct Shape {
-        std::uint32_t vertex_count;
-        std::span<const LineObject> objects;
-        std::size_t object_room;                        ///< at least as many as there are objects
-        std::span<const std::uint32_t> cluster_objects; ///< per cluster
-        std::uint32_t corner_count = 0;                 ///< of contours
-    };
-    /// Throws DeviceError when memory runs out.
-    MovingTables(compute::Stages& stages, const Shape& shape);
+    /// `cluster_objects`: per cluster; none if nobody asks for clusters. `object_room`: room for so
+    /// many objects, if the model may get more. Throws DeviceError when memory runs out.
+    MovingTables(compute::Stages& stages, const LineTables& lines, const SceneMotion& motion,
+                 std::span<const std::uint32_t> cluster_objects = {}, std::size_t object_room = 0);
 
     /// Gives ranges of vertices and clusters to an object.
     void set_object(std::uint32_t object, std::uint32_t first_vertex, std::uint32_t vertices,
                     std::uint32_t first_cluster, std::uint32_t clusters);
 
-    /// Sets where transform() moves objects to. Writes tables, so it waits for kernels that were
-    /// launched before.
-    void place(std::span<const glm::mat4> world_from_object);
-    /// The tables of the model as it was made, which transform() reads.
-    struct Rest {
-        compute::Buffer& vertices;
-        compute::Buffer* clusters; ///< null if there are none
-        compute::Buffer* corners;  ///< of contours; null if there are none
-    };
-    /// Moves the model. `drawn`: gets the vertices too, for GL, which reads them while kernels do;
-    /// null: GL reads none.
-    void transform(const Rest& rest, compute::Buffer* drawn = nullptr);
+    /// Moves the model, whose tables `lines` are, with the `normals` of its contours. Writes
+    /// tables, so it waits for kernels that were launched before. `clusters`: of the model as it
+    /// was made; null if nobody asks for them. `drawn`: gets the vertices too, for GL, which reads
+    /// them while kernels do; null: GL reads none.
+    void move(LineTables& lines, const SceneMotion& motion, ContourNormals& normals,
+              compute::Buffer* clusters = nullptr, compute::Buffer* drawn = nullptr);
     /// Empties the `ranges` of `temporal` for segments of objects with a 1 in `jumped`.
     void forget(const compute::SegmentTable& table, std::span<const std::uint8_t> jumped,
                 compute::Buffer& ranges);
@@ -51,6 +42,9 @@ class MovingTables {
     compute::Buffer* corners() const { return corners_.get(); } ///< null if there are none
 
   private:
+    /// Sets where objects move to.
+    void place(std::span<const glm::mat4> world_from_object);
+
     compute::Stages& stages_;
     compute::Device& device_; ///< of stages_
     std::uint32_t vertex_count_, cluster_count_, corner_count_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "compute/transfer.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -41,11 +43,10 @@ void add_outline_parts(compute::Device& device, const compute::OutlineTable& tab
                        std::span<const Interval> intervals, const TableOrder& order,
                        std::uint32_t first_segment, std::uint32_t segment_count,
                        std::vector<OutlinePart>& result) {
-    std::vector<la_uint> offsets(std::size_t{segment_count} + 1);
-    device.download(table.part_offsets, std::as_writable_bytes(std::span{offsets}));
-    std::vector<Part> parts(offsets.back());
-    if (parts.empty()) return;
-    device.download(table.parts, std::as_writable_bytes(std::span{parts}));
+    const auto offsets =
+        compute::read_back<la_uint>(device, table.part_offsets, std::size_t{segment_count} + 1);
+    if (offsets.back() == 0) return;
+    const auto parts = compute::read_back<Part>(device, table.parts, offsets.back());
     std::vector<OutlinePart> found;
     for (const Interval& interval : intervals) {
         if ((interval.flags & LA_INTERVAL_VISIBLE) == 0) continue;

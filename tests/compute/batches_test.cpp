@@ -63,7 +63,6 @@ class BatchesTest : public StageTest {
         const compute::ProjectClipArgs args{.table = table,
                                             .front = *front,
                                             .clip_from_world = glm::mat4{1},
-                                            .world_from_clip = glm::mat4{1},
                                             .viewport = viewport,
                                             .step = 2,
                                             .kind_mask = all_line_kinds,
@@ -178,7 +177,7 @@ class ExactBatches : public StageTest {
         std::vector<Found> result(frames);
         for (Found& found : result) {
             exact.find(
-                view, 1, [&](std::size_t) { return table; },
+                view, 1, ProgressPart::none(), [&](std::size_t) { return table; },
                 [](const char*, const auto& run) { run(); },
                 [&](std::size_t, const compute::SegmentTable& segments,
                     const compute::SpanTable& spans) {

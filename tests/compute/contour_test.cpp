@@ -7,6 +7,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "compute/stages/silhouette_chains.hpp"
 #include "core/objects.hpp"
 #include "stage_test.hpp"
 

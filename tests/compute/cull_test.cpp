@@ -13,12 +13,14 @@ class CullStage : public StageTest {
         const auto boxes = put(clusters);
         const auto tiles = put(tiles_);
         const auto result = device().allocate(clusters.size() * sizeof(la_uint));
-        stages().cull({.clusters = *boxes,
-                       .count = static_cast<std::uint32_t>(clusters.size()),
-                       .clip_from_world = clip_from_world,
-                       .depth_size = {64, 48},
-                       .tiles = *tiles,
-                       .visible = *result});
+        const auto count = static_cast<std::uint32_t>(clusters.size());
+        stages().launch<compute::kernels::cull>(
+            count,
+            {.count = count,
+             .clip_from_world = clip_from_world,
+             .depth_size = {64, 48},
+             .tile_count = {4, 3}},
+            {.clusters = *boxes, .tiles = *tiles, .visible = *result});
         return get<std::uint32_t>(*result, clusters.size());
     }
 

@@ -186,7 +186,7 @@ TEST_P(DepthStage, OfEverySizeThePyramidIsThatOfItsStage) {
         const auto drawn = draw(strewn(40, size), size);
         const auto depth = put(drawn.texels);
         const auto tiles = device().allocate(drawn.tiles.size() * sizeof(float));
-        stages().pyramid({.depth = *depth, .depth_size = size, .tiles = *tiles});
+        stages().pyramid(*depth, size, *tiles);
         EXPECT_TRUE(equal(drawn.tiles, get<float>(*tiles, drawn.tiles.size())));
     }
 }

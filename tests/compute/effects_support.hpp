@@ -53,7 +53,6 @@ class Effects {
         on_.stages.project_clip({.table = table(),
                                  .front = *none_,
                                  .clip_from_world = glm::mat4{1},
-                                 .world_from_clip = glm::mat4{1},
                                  .viewport = glm::vec2{size},
                                  .step = 2,
                                  .kind_mask = ~0U,

@@ -38,12 +38,11 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
 
     compute::ExactVisibility exact{stages};
     exact.begin(table, camera, lines.bounds, contact_of(lines));
-    stages.facing({.table = table, .eye = camera.eye(), .front = *front});
+    stages.facing(table, camera.eye(), *front);
     const glm::mat4 m = camera.clip_from_world();
     stages.project_clip({.table = table,
                          .front = *front,
                          .clip_from_world = m,
-                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{m})},
                          .viewport = glm::vec2{camera.size},
                          .step = 2,
                          .kind_mask = kinds,

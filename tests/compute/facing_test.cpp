@@ -67,9 +67,7 @@ TEST_P(FacingStage, IsTheSideOfTheEye) {
             const bool edge_on = sine_of(triangle, eye) < 1e-5;
             expected.push_back(volume(triangle, eye) > 0 && !edge_on ? 1 : 0);
         }
-        stages().facing({.table = {*vertices, *triangles, *triangles, count, 0},
-                         .eye = glm::vec4{eye},
-                         .front = *front});
+        stages().facing({*vertices, *triangles, *triangles, count, 0}, glm::vec4{eye}, *front);
         EXPECT_TRUE(equal(get<std::uint8_t>(*front, count), expected));
     }
 }
@@ -79,8 +77,7 @@ TEST_P(FacingStage, CounterClockwiseIsFrontAndEdgeOnIsBack) {
     const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {0, 1, 3}});
     const auto front = device().allocate(4);
     const auto seen_from = [&](glm::vec4 eye) {
-        stages().facing(
-            {.table = {*vertices, *triangles, *triangles, 4, 0}, .eye = eye, .front = *front});
+        stages().facing({*vertices, *triangles, *triangles, 4, 0}, eye, *front);
         return get<std::uint8_t>(*front, 4);
     };
     EXPECT_TRUE(equal(seen_from({0.2F, 0.2F, 9, 1}), {1, 0, 1, 0}));
@@ -95,8 +92,7 @@ TEST_P(FacingStage, OfTheSmallestTrianglesTheSignSaysIt) {
     const auto vertices = put(std::vector<glm::vec3>{{0, 0, 0}, {1e-15F, 0, 0}, {0, 1e-15F, 0}});
     const auto triangles = put(std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 1}});
     const auto front = device().allocate(2);
-    stages().facing(
-        {.table = {*vertices, *triangles, *triangles, 2, 0}, .eye = {0, 0, 1, 0}, .front = *front});
+    stages().facing({*vertices, *triangles, *triangles, 2, 0}, {0, 0, 1, 0}, *front);
     EXPECT_TRUE(equal(get<std::uint8_t>(*front, 2), {1, 0}));
 }
 

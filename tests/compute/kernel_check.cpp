@@ -68,7 +68,6 @@ void append_carried(std::vector<std::byte>& result, compute::Stages& stages,
     stages.project_clip({.table = table,
                          .front = front,
                          .clip_from_world = clip_from_world,
-                         .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                          .viewport = glm::vec2{camera.size},
                          .step = 2,
                          .kind_mask = all_line_kinds,
@@ -147,7 +146,7 @@ void append_outline(std::vector<std::byte>& result, compute::Stages& stages, con
                         .step = 2};
     const auto find = [&] {
         exact.find(
-            view, 1, [&](std::size_t) { return table; },
+            view, 1, ProgressPart::none(), [&](std::size_t) { return table; },
             [](const char*, const auto& run) { run(); },
             [&](std::size_t, const compute::SegmentTable& found, const compute::SpanTable&) {
                 const compute::OutlineTable outline = exact.outline(2);
@@ -171,13 +170,15 @@ void append_planes(std::vector<std::byte>& result, compute::Stages& stages, cons
     const auto corners = to_device(device, built.corners);
     const auto vertices = to_device(device, lines.vertices);
     const auto planes = device.allocate(lines.triangles.size() * sizeof(glm::vec4));
-    stages.planes({.model = {*clusters, *meshlets, *vertex_list, *corners,
-                             static_cast<std::uint32_t>(parts.clusters.size())},
-                   .vertices = *vertices,
-                   .view = surface_view(camera),
-                   .contact = 0.001F,
-                   .seen = nullptr,
-                   .planes = *planes});
+    const compute::MeshletTables model{*clusters, *meshlets, *vertex_list, *corners,
+                                       static_cast<std::uint32_t>(parts.clusters.size())};
+    stages.launch<compute::kernels::planes>(
+        model.count,
+        {.count = model.count,
+         .world_from_screen = surface_view(camera).world_from_screen,
+         .contact = 0.001F,
+         .only_seen = 0},
+        {.vertices = vertices.get(), .seen = nullptr, .planes = planes.get()}, model);
     append(result, read_back<glm::vec4>(device, *planes, lines.triangles.size()));
 }
 

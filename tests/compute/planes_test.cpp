@@ -31,13 +31,18 @@ class PlanesStage : public StageTest {
         const bool only_seen = !seen.empty();
         if (only_seen) seen.resize(parts.clusters.size(), seen.back());
         const auto seen_table = to_device(device(), only_seen ? seen : std::vector(1, 0U));
-        stages().planes({.model = {*clusters, *meshlets, *vertex_list, *corners,
-                                   static_cast<std::uint32_t>(parts.clusters.size())},
-                         .vertices = *vertex_table,
-                         .view = surface_view(camera),
-                         .contact = 0.001F,
-                         .seen = only_seen ? seen_table.get() : nullptr,
-                         .planes = *out});
+        const compute::MeshletTables model{*clusters, *meshlets, *vertex_list, *corners,
+                                           static_cast<std::uint32_t>(parts.clusters.size())};
+        stages().launch<compute::kernels::planes>(
+            model.count,
+            {.count = model.count,
+             .world_from_screen = surface_view(camera).world_from_screen,
+             .contact = 0.001F,
+             .only_seen = only_seen ? 1U : 0U},
+            {.vertices = vertex_table.get(),
+             .seen = only_seen ? seen_table.get() : nullptr,
+             .planes = out.get()},
+            model);
         const auto found = read_back<glm::vec4>(device(), *out, triangles.size());
         std::vector<glm::vec4> result(triangles.size());
         for (std::size_t i = 0; i < result.size(); ++i) result[parts.order[i]] = found[i];

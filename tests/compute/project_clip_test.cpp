@@ -74,16 +74,14 @@ class ProjectClipStage : public StageTest {
                                                .depth_scale = 1,
                                                .tolerance = options.tolerance,
                                                .keep_clipped = options.keep_clipped};
-        stages().project_clip(
-            {.table = {*vertices, *triangles, *segments, triangle_count, n},
-             .front = *front,
-             .clip_from_world = options.clip_from_world,
-             .world_from_clip = glm::mat4{glm::inverse(glm::dmat4{options.clip_from_world})},
-             .viewport = viewport,
-             .step = step,
-             .kind_mask = options.kind_mask,
-             .occlusion = options.tiles.empty() ? nullptr : &occlusion,
-             .out = {*clipped, *counts, *arcs}});
+        stages().project_clip({.table = {*vertices, *triangles, *segments, triangle_count, n},
+                               .front = *front,
+                               .clip_from_world = options.clip_from_world,
+                               .viewport = viewport,
+                               .step = step,
+                               .kind_mask = options.kind_mask,
+                               .occlusion = options.tiles.empty() ? nullptr : &occlusion,
+                               .out = {*clipped, *counts, *arcs}});
         return {.counts = get<std::uint32_t>(*counts, n),
                 .arcs = get<std::uint32_t>(*arcs, n),
                 .clipped = get<ClippedSegment>(*clipped, n)};

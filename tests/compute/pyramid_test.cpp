@@ -36,7 +36,7 @@ TEST_P(PyramidStage, IsTheFarthestDepthOfEveryTile) {
                                              {31, 34, 0.38F},
                                              {36, 34, 0.39F}}));
     const auto tiles = device().allocate(9 * sizeof(float));
-    stages().pyramid({.depth = *depth, .depth_size = size, .tiles = *tiles});
+    stages().pyramid(*depth, size, *tiles);
     EXPECT_TRUE(equal(get<float>(*tiles, 9),
                       {0.31F, 0.32F, 0.33F, 0.34F, 0.35F, 0.36F, 0.37F, 0.38F, 0.39F}));
 }
@@ -47,7 +47,7 @@ TEST_P(PyramidStage, EveryTexelCounts) {
     for (int x = 0; x < 32; ++x) {
         const int y = x * 7 % 16;
         const auto depth = put(depth_with(size, {{x, y, 1}}));
-        stages().pyramid({.depth = *depth, .depth_size = size, .tiles = *tiles});
+        stages().pyramid(*depth, size, *tiles);
         const std::vector<float> expected =
             x < 16 ? std::vector{1.0F, 0.25F} : std::vector{0.25F, 1.0F};
         EXPECT_TRUE(equal(get<float>(*tiles, 2), expected)) << x << ", " << y;

@@ -1,5 +1,6 @@
 // silhouette: numbers candidates with one face towards the eye and one away from it.
 
+#include "compute/stages/silhouette_chains.hpp"
 #include "stage_test.hpp"
 
 namespace lineatlas::test {
@@ -59,6 +60,21 @@ TEST_P(SilhouetteStage, AreNotLaunchedOnATableWithoutRoom) {
     } written_is_absent{*one, *one, nullptr};
     EXPECT_THROW(stages().launch<compute::kernels::silhouette>(1, {}, written_is_absent),
                  std::logic_error);
+    const struct { compute::Buffer& segments; } nobody_has_numbers{*one};
+    EXPECT_THROW(stages().launch<compute::kernels::silhouette>(1, {}, {.front = one.get()},
+                                                               nobody_has_numbers),
+                 std::logic_error);
+}
+
+TEST_P(SilhouetteStage, TakesTablesOfTheLaunchBeforeThoseOfGroups) {
+    compute::ChainTables tables{&device()}; // whose numbers have no room
+    upload(tables.chosen, std::vector<std::uint32_t>(1, 99));
+    upload(tables.positions, std::vector<std::uint32_t>(2, 99));
+    const auto numbers = put(std::vector<std::uint32_t>{0, 0, 1});
+    stages().launch<compute::kernels::silhouette_list>(
+        2, {.count = 2, .first = 0, .replaced = 2, .contours = 2}, {.numbers = numbers.get()},
+        tables);
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 1), {1}));
 }
 
 } // namespace

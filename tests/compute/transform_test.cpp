@@ -15,45 +15,27 @@ TEST_P(TransformStage, VerticesMoveByTheMatrixOfTheirObject) {
     const auto rest = put(std::vector<glm::vec3>{{1, 2, 3}, {1, 2, 3}, {-4, 5, 0.5F}});
     const auto objects = put(std::vector<std::uint32_t>{1, 0, 0});
     const auto rows = put(matrices);
-    const auto boxes = put(std::vector<Cluster>(1));
     const auto vertices = device().allocate(3 * sizeof(glm::vec3));
     const auto drawn = device().allocate(3 * sizeof(glm::vec3));
-    stages().transform({.rest = *rest,
-                        .objects = *objects,
-                        .matrices = *rows,
-                        .vertex_count = 3,
-                        .vertices = *vertices,
-                        .drawn = *drawn,
-                        .rest_clusters = *boxes,
-                        .cluster_objects = *objects,
-                        .cluster_count = 0,
-                        .clusters = *boxes});
+    stages().launch_each<compute::kernels::transform>(3, {.rest = *rest,
+                                                          .objects = *objects,
+                                                          .matrices = *rows,
+                                                          .vertices = *vertices,
+                                                          .drawn = *drawn});
     const std::vector<float> expected{3, 8, 15, 8, 21, 33, 5, 16, 30.5F};
     EXPECT_TRUE(equal(get<float>(*vertices, 9), expected));
     EXPECT_TRUE(equal(get<float>(*drawn, 9), expected));
 }
 
 TEST_P(TransformStage, BoxesGrowAroundWhatMoved) {
-    const auto rest = put(std::vector<glm::vec3>(1));
-    const auto vertices = put(std::vector<glm::vec3>(1));
-    const auto drawn = put(std::vector<glm::vec3>(1));
-    const auto vertex_objects = put(std::vector<std::uint32_t>(1));
     const auto rows =
         put(std::vector<float>{-0.6F, -0.8F, 0, 10, -0.8F, 0.6F, 0, 20, 0, 0, -2, 30});
     const auto objects = put(std::vector<std::uint32_t>{0, 0});
     const auto rest_boxes =
         put(std::vector<Cluster>{{{-1, 0, 1}, {1, 2, 3}, 7, 5}, {{4, 4, 4}, {4, 4, 4}, 12, 1}});
     const auto boxes = device().allocate(2 * sizeof(Cluster));
-    stages().transform({.rest = *rest,
-                        .objects = *vertex_objects,
-                        .matrices = *rows,
-                        .vertex_count = 1,
-                        .vertices = *vertices,
-                        .drawn = *drawn,
-                        .rest_clusters = *rest_boxes,
-                        .cluster_objects = *objects,
-                        .cluster_count = 2,
-                        .clusters = *boxes});
+    stages().launch_each<compute::kernels::transform_boxes>(
+        2, {.rest = *rest_boxes, .objects = *objects, .matrices = *rows, .clusters = *boxes});
     const auto seen = get<Cluster>(*boxes, 2);
     // The corners, turned: x is 10 - 0.6 x - 0.8 y, y is 20 - 0.8 x + 0.6 y, z is 30 - 2 z.
     const Cluster expected[] = {{{7.8F, 19.2F, 24}, {10.6F, 22, 28}, 7, 5},

@@ -24,7 +24,7 @@ class GlSharingProbes : public GlSharing {
         EXPECT_NE(found.reason.find(reason), std::string::npos) << found.reason;
         // By default the next best mode is taken, and the mode itself can't be forced.
         EXPECT_EQ(interop::connect({}).sharing->mode(), SharingMode::host_pointer) << behaviour;
-        EXPECT_THROW(interop::connect({.mode = SharingMode::gl_sharing}), DeviceError);
+        EXPECT_THROW(interop::connect({.interop = "gl-sharing"}), DeviceError);
     }
 };
 

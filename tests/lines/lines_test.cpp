@@ -373,8 +373,7 @@ std::vector<Segment> silhouettes_of(const LineSet& lines, glm::vec4 eye) {
     const auto none = on.device->allocate(16);
     const auto seen = on.device->allocate(lines.triangles.size());
     const auto count = static_cast<std::uint32_t>(lines.triangles.size());
-    on.stages.facing(
-        {.table = {*vertices, *triangles, *none, count, 0}, .eye = eye, .front = *seen});
+    on.stages.facing({*vertices, *triangles, *none, count, 0}, eye, *seen);
     const auto front = test::read_back<std::uint8_t>(*on.device, *seen, count);
     std::vector<Segment> result;
     for (const Segment& s : lines.segments) {

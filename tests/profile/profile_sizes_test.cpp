@@ -118,7 +118,7 @@ TEST(ProfileSizes, AsDevicesLogThem) {
         // A log with a single command tells too little about a device's clock.
         const auto run = [&] {
             device->clear(*depth, depth->size());
-            stages.pyramid({.depth = *depth, .depth_size = size, .tiles = *tiles});
+            stages.pyramid(*depth, size, *tiles);
             device->finish();
         };
         const compute::CommandTime pyramid = logged(*device, run, "pyramid");

@@ -38,16 +38,16 @@ MovedTables moved_on(compute::Stages& stages, const LineSet& lines,
     const auto jumped_buffer = to_device(device, jumped);
     const auto ranges =
         to_device(device, std::vector<std::uint32_t>(lines.segments.size(), 0xFFFF0000));
-    stages.transform({.rest = *rest,
-                      .objects = *object_buffer,
-                      .matrices = *matrices,
-                      .vertex_count = n,
-                      .vertices = *vertices,
-                      .drawn = *drawn,
-                      .rest_clusters = *rest_clusters,
-                      .cluster_objects = *cluster_objects,
-                      .cluster_count = cluster_count,
-                      .clusters = *clusters});
+    stages.launch_each<compute::kernels::transform>(n, {.rest = *rest,
+                                                        .objects = *object_buffer,
+                                                        .matrices = *matrices,
+                                                        .vertices = *vertices,
+                                                        .drawn = *drawn});
+    stages.launch_each<compute::kernels::transform_boxes>(cluster_count,
+                                                          {.rest = *rest_clusters,
+                                                           .objects = *cluster_objects,
+                                                           .matrices = *matrices,
+                                                           .clusters = *clusters});
     stages.launch_each<compute::kernels::transform_bounds>(
         cluster_count, {.vertices = *vertices, .triangles = *triangles, .clusters = *bounds});
     stages.launch_each<compute::kernels::transform_forget>(

@@ -60,7 +60,7 @@ void FrameStages::pyramid(const Camera& camera, const std::vector<float>& depth,
     const auto depth_buffer = to_device(*device_, depth);
     state.tiles.resize(static_cast<std::size_t>(count.x * count.y));
     tiles_ = to_device(*device_, state.tiles);
-    stages_.pyramid({.depth = *depth_buffer, .depth_size = size, .tiles = *tiles_});
+    stages_.pyramid(*depth_buffer, size, *tiles_);
     state.tiles = read_back<float>(*device_, *tiles_, state.tiles.size());
 }
 
@@ -69,12 +69,14 @@ std::vector<std::uint32_t> FrameStages::cull(const Camera& camera,
     const auto count = static_cast<std::uint32_t>(clusters.size());
     const auto buffer = to_device(*device_, clusters);
     const auto visible = device_->allocate(count * sizeof(la_uint));
-    stages_.cull({.clusters = *buffer,
-                  .count = count,
-                  .clip_from_world = camera.clip_from_world(),
-                  .depth_size = camera.size * settings_.depth_scale,
-                  .tiles = *tiles_,
-                  .visible = *visible});
+    const glm::ivec2 depth_size = camera.size * settings_.depth_scale;
+    stages_.launch<compute::kernels::cull>(
+        count,
+        {.count = count,
+         .clip_from_world = camera.clip_from_world(),
+         .depth_size = depth_size,
+         .tile_count = compute::tiles_for(depth_size)},
+        {.clusters = *buffer, .tiles = *tiles_, .visible = *visible});
     return read_back<std::uint32_t>(*device_, *visible, count);
 }
 
@@ -85,15 +87,13 @@ void FrameStages::project(const Camera& camera, bool cull_hidden, FrameState& st
         .depth_scale = static_cast<float>(settings_.depth_scale),
         .tolerance = depth_tolerance(camera)};
     const glm::mat4 clip_from_world = camera.clip_from_world();
-    stages_.facing({.table = table(), .eye = camera.eye(), .front = *front_});
+    stages_.facing(table(), camera.eye(), *front_);
     state.front = read_back<std::uint8_t>(*device_, *front_, triangle_count_);
     compute::BatchTable batches;
     if (batches_.has_segments(table())) batches = batches_.table();
     const compute::ProjectClipArgs args{.table = table(),
                                         .front = *front_,
                                         .clip_from_world = clip_from_world,
-                                        .world_from_clip =
-                                            glm::mat4{glm::inverse(glm::dmat4{clip_from_world})},
                                         .viewport = glm::vec2{camera.size},
                                         .step = 2,
                                         .kind_mask = all_line_kinds,

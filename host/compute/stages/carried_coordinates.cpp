@@ -1,13 +1,39 @@
 #include "carried_coordinates.hpp"
 
+#include <cmath>
+
 namespace lineatlas::compute {
-namespace {
 
-struct Arcs {
-    Buffer& arcs;
-};
+void CarryTables::make_room(std::uint32_t candidates, std::uint32_t silhouettes) {
+    constexpr std::uint64_t word = sizeof(la_uint);
+    const std::uint64_t n = silhouettes, remembered = word * LA_MEMORY_WORDS * candidates;
+    if (memory.make_room(remembered)) device->clear(*memory, remembered);
+    for (Table* each : {&lengths, &found, &kept, &breaks, &means, &pieces, &list, &shifts})
+        each->make_room((n + 1) * word);
+    for (Table* each : {&recalled, &carried}) each->make_room(2 * n * word);
+}
 
-} // namespace
+void Stages::carry(const CarryArgs& args) {
+    const std::uint32_t n = args.count;
+    const CarryTables& tables = args.tables;
+    const CarryParameters parameters{
+        .count = n,
+        .first = args.first,
+        .viewport = args.viewport,
+        .frame = args.frame,
+        .limit = static_cast<la_uint>(std::floor(args.limit * LA_ARC_UNITS_PER_PIXEL))};
+    launch<kernels::carry_recall>(n, parameters, args.table, args.clipped, tables);
+    scan(*tables.lengths, n, ScanKind::wrap);
+    launch<kernels::carry_keep>(n, parameters, args.table, tables);
+    scan(*tables.kept, n, ScanKind::saturate);
+    launch_each<kernels::scan_list>(n, {.values = *tables.kept, .list = *tables.list});
+    launch<kernels::carry_breaks>(n, parameters, args.table, tables);
+    scan(*tables.breaks, n, ScanKind::saturate);
+    scan(*tables.means, n, ScanKind::wrap);
+    launch<kernels::carry_pieces>(n, parameters, tables);
+    launch<kernels::carry_settle>(n, parameters, tables);
+    launch<kernels::carry_place>(n, parameters, args.table, args.clipped, tables);
+}
 
 void CarriedCoordinates::release() {
     tables_ = {tables_.device};
@@ -35,8 +61,8 @@ void CarriedCoordinates::apply(const RunTable& runs) {
     if (count_ == 0) return;
     stages_.launch<kernels::carry_runs>(
         runs.capacity,
-        {.count = runs.capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0}, tables_,
-        runs, Arcs{*arcs_});
+        {.count = runs.capacity, .first = first_, .viewport = {}, .frame = 0, .limit = 0},
+        {.arcs = arcs_}, tables_, runs);
 }
 
 } // namespace lineatlas::compute

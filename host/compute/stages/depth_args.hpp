@@ -1,6 +1,6 @@
 #pragma once
 
-// Arguments of stages that move and draw triangles.
+// Arguments of `depth`, and sizes of its tables.
 
 #include <cstdint>
 
@@ -8,24 +8,9 @@
 #include <glm/vec2.hpp>
 
 #include "core/screen_bounds.hpp"
-#include "core/surface_view.hpp"
 #include "tables.hpp"
 
 namespace lineatlas::compute {
-
-/// Where the objects of a model stand (§4.1).
-struct TransformArgs {
-    Buffer& rest;     ///< 3 floats per vertex: vertices of the model as it was made
-    Buffer& objects;  ///< per vertex a uint32
-    Buffer& matrices; ///< per object three rows of 4 floats: world from object
-    std::uint32_t vertex_count;
-    Buffer& vertices; ///< out: moved
-    Buffer& drawn;    ///< out: the same, for GL
-    Buffer& rest_clusters;
-    Buffer& cluster_objects; ///< per cluster a uint32
-    std::uint32_t cluster_count;
-    Buffer& clusters; ///< out: with boxes around the moved ones
-};
 
 /// The triangles of a model as `depth` draws them.
 struct MeshletTables {
@@ -54,16 +39,6 @@ struct DepthArgs {
     Buffer* blank = nullptr;
 };
 
-/// The planes of a model's triangles on the screen.
-struct PlanesArgs {
-    MeshletTables model;
-    Buffer& vertices; ///< as in SegmentTable
-    SurfaceView view;
-    float contact;  ///< points nearer to a plane than this touch it; world units
-    Buffer* seen;   ///< of `depth`: clusters that matter; null: all
-    Buffer& planes; ///< out: 4 floats per triangle, in the order of the clusters
-};
-
 /// Tiles of the depth pyramid per axis.
 inline glm::ivec2 tiles_for(glm::ivec2 depth_size) {
     return (depth_size + (LA_TILE - 1)) / LA_TILE;
@@ -73,20 +48,5 @@ inline std::uint32_t count_of_tiles(glm::ivec2 depth_size) {
     const glm::ivec2 tiles = tiles_for(depth_size);
     return static_cast<std::uint32_t>(tiles.x) * static_cast<std::uint32_t>(tiles.y);
 }
-
-struct PyramidArgs {
-    Buffer& depth;         ///< as in DepthBuffer
-    glm::ivec2 depth_size; ///< texels
-    Buffer& tiles;         ///< out: a float per tile, tiles_for(depth_size) of them, row by row
-};
-
-struct CullArgs {
-    Buffer& clusters; ///< `Cluster` each
-    std::uint32_t count;
-    glm::mat4 clip_from_world;
-    glm::ivec2 depth_size;
-    Buffer& tiles;   ///< of `pyramid`
-    Buffer& visible; ///< out: a uint32 per cluster, 1 if it may be seen
-};
 
 } // namespace lineatlas::compute

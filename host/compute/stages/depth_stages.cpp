@@ -16,44 +16,12 @@ float guard_band(glm::ivec2 whole_size) {
     return std::clamp(most_texels / side, 1.0F, widest);
 }
 
-// Groups of one table, for launches.
-struct Places {
-    Buffer& places;
-};
-
-/// The clusters in their order, and what tiles are drawn to.
-struct TileTables {
-    Buffer& boxes;
-    Buffer& nearest;
-    Buffer& order;
-    Buffer& total;
-    Buffer& next;
-    Buffer& depth;
-    Buffer& numbers;
-    Buffer& pyramid;
-    Buffer& blank;
-};
-/// Texels while triangles draw themselves, and the triangles that many work-items share.
-struct EachTables {
-    Buffer& places;
-    Buffer& positions;
-    Buffer& order;
-    Buffer& texels;
-    Buffer& large_count;
-    Buffer& large_list;
-    // What is stored:
-    Buffer& depth;
-    Buffer& numbers;
-    Buffer& pyramid;
-    Buffer& blank;
-};
-
 } // namespace
 
 Buffer& Stages::blank_tiles(const DepthArgs& args) {
     if (args.blank != nullptr) return *args.blank;
     const std::size_t words = divide_up(count_of_tiles(args.size), sizeof(la_uint));
-    Buffer& blank = scratch(Scratch::depth_blank, words);
+    Buffer& blank = depth_.blank_tiles.with_room(words);
     device_.clear(blank, words * sizeof(la_uint));
     return blank;
 }
@@ -89,11 +57,10 @@ void Stages::depth(const DepthArgs& args) {
                                .chunks = 0,
                                .numbered = 0,
                                .finds = LA_FINDS_DEPTHS};
-    const Places places{
-        scratch(Scratch::depth_places, std::size_t{model.count} * sizeof(ClusterPlace) / 4)};
-    launch<kernels::depth_bin>(model.count, parameters, model, args, places);
+    depth_.places.make_room(std::size_t{model.count} * sizeof(ClusterPlace));
+    launch<kernels::depth_bin>(model.count, parameters, depth_, model, args);
     if (tiles.x <= 0 || tiles.y <= 0) return;
-    if (tuning_.depth_each) return depth_each(args, parameters, places.places);
+    if (tuning_.depth_each) return depth_each(args, parameters);
     // Each launch goes on from the depth that the one before has stored.
     const bool keeps_depth =
         args.depth != nullptr || args.numbers == nullptr || model.count > tuning_.depth_clusters;
@@ -101,92 +68,78 @@ void Stages::depth(const DepthArgs& args) {
         keeps_depth ? static_cast<std::size_t>(args.size.x) * static_cast<std::size_t>(args.size.y)
                     : 1;
     parameters.keeps_depth = keeps_depth ? 1 : 0;
-    const TileTables tables{
-        .boxes = scratch(Scratch::depth_boxes, std::size_t{4} * stride),
-        .nearest = scratch(Scratch::depth_nearest, stride),
-        .order = scratch(Scratch::depth_order, stride),
-        .total = scratch(Scratch::depth_total, 1),
-        .next = scratch(Scratch::depth_next, 1),
-        .depth = args.depth != nullptr ? *args.depth : scratch(Scratch::depth_unasked, texels),
-        .numbers = args.numbers != nullptr ? *args.numbers : scratch(Scratch::depth_no_numbers, 1),
-        .pyramid = args.tiles,
-        .blank = blank_tiles(args)};
-    launch_grouped<kernels::depth_order>(1, 1, parameters, places, tables);
+    depth_.boxes.with_room(std::size_t{4} * stride);
+    for (ScratchTable* table : {&depth_.nearest, &depth_.order}) table->with_room(stride);
+    for (ScratchTable* table : {&depth_.total, &depth_.next}) table->with_room(1);
+    const kernels::depth_tiles::Own stored{
+        .depth = args.depth != nullptr ? args.depth : &depth_.unasked.with_room(texels),
+        .numbers = args.numbers != nullptr ? args.numbers : &depth_.no_numbers.with_room(1),
+        .pyramid = &args.tiles,
+        .blank = &blank_tiles(args)};
+    launch_grouped<kernels::depth_order>(1, 1, parameters, depth_);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));
     do {
         parameters.begin = parameters.end;
         parameters.end =
             parameters.begin + std::min(tuning_.depth_clusters, model.count - parameters.begin);
-        device_.clear(tables.next, sizeof(la_uint));
+        device_.clear(*depth_.next, sizeof(la_uint));
         launch_variant<kernels::depth_tiles>(args.numbers != nullptr ? 1 : 0, workers, 1,
-                                             parameters, tables, model, args);
+                                             parameters, stored, depth_, model, args);
     } while (parameters.end < model.count);
 }
 
-void Stages::order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
-                            Buffer& positions) {
+void Stages::order_clusters(DepthParameters& parameters) {
     constexpr std::uint32_t fewest_each = 64, most_chunks = 256;
     parameters.chunk = std::max(divide_up(parameters.count, most_chunks), fewest_each);
     parameters.chunks = divide_up(parameters.count, parameters.chunk);
     const std::uint32_t count = LA_DEPTH_KEYS * parameters.chunks;
-    Buffer& counts = scratch(Scratch::depth_counts, std::size_t{count} + 1);
+    Buffer& counts = depth_.key_counts.with_room(std::size_t{count} + 1);
     device_.clear(counts, std::size_t{count} * sizeof(la_uint));
-    launch<kernels::depth_keys>(parameters.chunks, parameters,
-                                {.places = places, .counts = counts});
+    launch<kernels::depth_keys>(parameters.chunks, parameters, {.counts = &counts}, depth_);
     scan(counts, count, ScanKind::saturate);
-    launch<kernels::depth_positions>(
-        parameters.chunks, parameters,
-        {.places = places, .counts = counts, .positions = positions, .order = order});
+    launch<kernels::depth_positions>(parameters.chunks, parameters, {.counts = &counts}, depth_);
 }
 
-void Stages::depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places) {
+void Stages::depth_each(const DepthArgs& args, DepthParameters parameters) {
     const MeshletTables& model = args.model;
     const bool numbered = args.numbers != nullptr;
     const auto texels = static_cast<std::uint32_t>(args.size.x * args.size.y);
     const std::uint32_t triangles = model.count * LA_MESHLET_TRIANGLES;
-    Buffer& unasked = scratch(Scratch::depth_unasked, 1);
-    const EachTables tables{
-        .places = places,
-        .positions = scratch(Scratch::depth_positions, numbered ? model.count : 1),
-        .order = scratch(Scratch::depth_order, numbered ? model.count : 1),
-        .texels = scratch(Scratch::depth_texels, std::size_t{2} * texels),
-        .large_count = scratch(Scratch::depth_large_count, 1),
-        .large_list = scratch(Scratch::depth_large, triangles),
-        .depth = args.depth != nullptr ? *args.depth : unasked,
-        .numbers = numbered ? *args.numbers : scratch(Scratch::depth_no_numbers, 1),
-        .pyramid = args.tiles,
-        .blank = blank_tiles(args)};
+    for (ScratchTable* table : {&depth_.positions, &depth_.order})
+        table->with_room(numbered ? model.count : 1);
+    depth_.texels.with_room(std::size_t{2} * texels);
+    depth_.large_count.with_room(1);
+    depth_.large_list.with_room(triangles);
     parameters.keeps_depth = args.depth != nullptr ? 1 : 0;
     parameters.numbered = numbered ? 1 : 0;
-    launch<kernels::depth_begin>(texels, parameters, tables);
-    if (numbered) order_clusters(parameters, places, tables.order, tables.positions);
-    device_.clear(tables.large_count, sizeof(la_uint));
+    launch<kernels::depth_begin>(texels, parameters, depth_);
+    if (numbered) order_clusters(parameters);
+    device_.clear(*depth_.large_count, sizeof(la_uint));
     const std::uint32_t sharers =
         std::min(tuning_.depth_workers, std::max(triangles, 1U)) * LA_DEPTH_SHARE;
     const auto find = [&](la_uint finds) {
         parameters.finds = finds;
-        launch<kernels::depth_small>(triangles, parameters, tables, model, args);
-        launch<kernels::depth_large>(sharers, parameters, tables, model, args);
-        launch<kernels::depth_pairs>(sharers, parameters, tables, model, args);
+        launch<kernels::depth_small>(triangles, parameters, depth_, model, args);
+        launch<kernels::depth_large>(sharers, parameters, depth_, model, args);
+        launch<kernels::depth_pairs>(sharers, parameters, depth_, model, args);
     };
     find(numbered && tuning_.long_atomics ? LA_FINDS_BOTH : LA_FINDS_DEPTHS);
     if (numbered && !tuning_.long_atomics) find(LA_FINDS_RANKS);
     const auto blocks = static_cast<std::uint32_t>(parameters.tiles.x * parameters.tiles.y) *
                         divide_up(tuning_.depth_tile, LA_TILE) *
                         divide_up(tuning_.depth_tile, LA_TILE);
-    launch<kernels::depth_end>(blocks, parameters, tables, model, args);
+    launch<kernels::depth_end>(
+        blocks, parameters,
+        {.depth = args.depth != nullptr ? args.depth : &depth_.unasked.with_room(1),
+         .numbers = numbered ? args.numbers : &depth_.no_numbers.with_room(1),
+         .pyramid = &args.tiles,
+         .blank = &blank_tiles(args)},
+        depth_, model, args);
     // Numbers say of each texel which cluster is seen there.
-    if (!numbered) launch<kernels::depth_seen>(model.count, parameters, tables, args);
-}
-
-void Stages::planes(const PlanesArgs& args) {
-    launch<kernels::planes>(args.model.count,
-                            {.count = args.model.count,
-                             .world_from_screen = args.view.world_from_screen,
-                             .contact = args.contact,
-                             .only_seen = args.seen != nullptr ? 1U : 0U},
-                            args.model, args);
+    if (!numbered)
+        launch<kernels::depth_seen>(model.count, parameters, {.pyramid = &args.tiles}, depth_,
+                                    args);
 }
 
 } // namespace lineatlas::compute

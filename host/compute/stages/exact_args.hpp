@@ -17,19 +17,10 @@ struct SpanTable {
     std::uint32_t capacity; ///< spans that there is room for
 };
 
-/// Arguments for finding segments that are seen and may be outline.
-struct OutlineSeenArgs {
-    SegmentTable table;
-    ClippedTable clipped;
-    SpanTable spans; ///< visible parts of the segments
-    Buffer& numbers; ///< out: segment_count + 1 uint32: how many such segments there are before
-                     ///< each, and in all
-};
-
 /// Arguments for finding outlines from the visible parts of ways beside segments.
 struct OutlinePartsArgs {
     std::uint32_t segment_count;
-    Buffer& numbers;          ///< of OutlineSeenArgs
+    Buffer& numbers;          ///< of outline_seen()
     Buffer& arcs;             ///< of ClippedTable
     float depth;              ///< pixels that a body must be deep
     SpanTable beside, within; ///< of the ways of outline_push() and outline_push_in()

@@ -7,8 +7,6 @@
 namespace lineatlas::compute {
 namespace {
 
-using Scratch = Stages::Scratch;
-
 /// The number of work-items that share the rows of tiles of a triangle, if triangles have
 /// work-items of their own. With one, all would wait for a face that covers the picture. Among very
 /// many triangles few are large.
@@ -16,22 +14,6 @@ std::uint32_t face_slices(std::uint32_t triangles) {
     constexpr std::uint32_t most = 8, most_items = 1U << 22U;
     return std::clamp(most_items / std::max(triangles, 1U), 1U, most);
 }
-
-/// The ranges by which lists are sorted, and the places of their entries.
-struct ListRanges {
-    Buffer& ranges;
-};
-struct KeyTables {
-    Buffer &keys, &placed;
-};
-
-/// The visible parts of segments in each tile, before they are joined.
-struct PieceTables {
-    Buffer &piece_offsets, &part_offsets, &piece_kept;
-};
-struct RawParts {
-    Buffer& raw_parts;
-};
 
 } // namespace
 
@@ -85,34 +67,34 @@ void ExactVisibility::tile_lists() {
         divide_up(parameters.triangle_count, parameters.chunk) * parameters.slices;
     device_.clear(*lists_.ends, counts * sizeof(la_uint));
     stages_.launch_grouped<kernels::tile_lists_count>(chunks, tuning.block_local_size, parameters,
-                                                      *table_, lists_, optional(),
-                                                      Counts{*lists_.ends});
+                                                      {.counts = lists_.ends.get()}, *table_,
+                                                      lists_, optional());
     stages_.scan(*lists_.ends, counts, ScanKind::saturate);
-    stages_.launch<kernels::tile_lists_groups>(tiles(), parameters, lists_, Offsets{*lists_.ends});
+    stages_.launch<kernels::tile_lists_groups>(tiles(), parameters, {.offsets = lists_.ends.get()},
+                                               lists_);
     stages_.scan(*lists_.groups, tiles(), ScanKind::saturate);
     const std::size_t ranged = tuning.face_lists ? std::size_t{2} * tiles() : 1;
-    Buffer& ranges = stages_.scratch(Scratch::list_ranges, ranged);
+    Buffer& ranges = stages_.exact_scratch().ranges.with_room(ranged);
     device_.clear(ranges, ranged * sizeof(la_uint));
     stages_.launch_grouped<kernels::tile_lists_fill>(chunks, tuning.block_local_size, parameters,
-                                                     *table_, lists_, optional(),
-                                                     ListRanges{ranges});
-    if (tuning.face_lists) return arrange_by_entries(parameters, ranges);
+                                                     {.ranges = &ranges}, *table_, lists_,
+                                                     optional());
+    if (tuning.face_lists) return arrange_by_entries(parameters);
     stages_.launch_grouped<kernels::tile_lists_arrange>(tiles(), tuning.block_local_size,
                                                         parameters, *table_, lists_);
 }
 
-void ExactVisibility::arrange_by_entries(const ExactParameters& parameters, Buffer& ranges) {
+void ExactVisibility::arrange_by_entries(const ExactParameters& parameters) {
     const std::uint32_t entries = parameters.entry_capacity;
     const std::uint32_t keys = tiles() * LA_LIST_KEYS;
-    const KeyTables sorted{
-        stages_.scratch(Scratch::list_keys, std::size_t{keys} + 1),
-        stages_.scratch(Scratch::list_placed, entries * sizeof(Entry) / sizeof(la_uint))};
-    device_.clear(sorted.keys, keys * sizeof(la_uint));
-    stages_.launch<kernels::tile_lists_keys>(entries, parameters, lists_, sorted,
-                                             ListRanges{ranges});
-    stages_.scan(sorted.keys, keys, ScanKind::saturate);
-    stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, sorted);
-    stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, sorted);
+    Stages::ExactScratch& scratch = stages_.exact_scratch();
+    scratch.keys.with_room(std::size_t{keys} + 1);
+    scratch.placed.with_room(entries * sizeof(Entry) / sizeof(la_uint));
+    device_.clear(*scratch.keys, keys * sizeof(la_uint));
+    stages_.launch<kernels::tile_lists_keys>(entries, parameters, lists_, scratch);
+    stages_.scan(*scratch.keys, keys, ScanKind::saturate);
+    stages_.launch<kernels::tile_lists_place>(entries, parameters, lists_, scratch);
+    stages_.launch<kernels::tile_lists_sort>(entries, parameters, lists_, scratch);
     stages_.launch<kernels::tile_lists_write>(entries, parameters, *table_, lists_);
     stages_.launch<kernels::tile_lists_boxes>(parameters.group_capacity, parameters, lists_);
     stages_.launch<kernels::tile_lists_behind>(tiles(), parameters, lists_);
@@ -129,65 +111,48 @@ void ExactVisibility::find_spans(const Lines& lines) {
     if (device_.tuning().face_lists)
         count_pieces(lines, parameters);
     else
-        stages_.launch<kernels::visible_count>(n, parameters, *table_, lines, lines.clipped, lists_,
-                                               optional(), lines.found, Counts{offsets});
+        stages_.launch<kernels::visible_count>(n, parameters, {.counts = &offsets}, *table_, lines,
+                                               lines.clipped, lists_, optional(), lines.found);
     stages_.scan(offsets, n, ScanKind::saturate);
     write_spans(lines);
 }
 
 void ExactVisibility::count_pieces(const Lines& lines, const ExactParameters& parameters) {
     const std::uint32_t n = parameters.count;
-    Buffer& offsets = stages_.scratch(Scratch::piece_offsets, std::size_t{n} + 1);
-    stages_.launch<kernels::visible_pieces>(n, parameters, *table_, lines, lines.clipped, lists_,
-                                            optional(), Counts{offsets});
+    Stages::ExactScratch& scratch = stages_.exact_scratch();
+    Buffer& offsets = scratch.piece_offsets.with_room(std::size_t{n} + 1);
+    stages_.launch<kernels::visible_pieces>(n, parameters, {.counts = &offsets}, *table_, lines,
+                                            lines.clipped, lists_, optional());
     stages_.scan(offsets, n, ScanKind::saturate);
     const auto count = read_one<la_uint>(device_, offsets, n);
-    const PieceTables pieces{offsets, stages_.scratch(Scratch::piece_parts, std::size_t{count} + 1),
-                             stages_.scratch(Scratch::piece_kept, std::size_t{4} * count)};
-    stages_.launch<kernels::visible_cut>(count, parameters, *table_, lines, lines.clipped, lists_,
-                                         optional(), pieces, Counts{pieces.part_offsets});
-    stages_.scan(pieces.part_offsets, count, ScanKind::saturate);
-    const std::size_t parts = read_one<la_uint>(device_, pieces.part_offsets, count);
-    const RawParts raw{stages_.scratch(Scratch::raw_parts, 2 * parts)};
+    Buffer& part_offsets = scratch.part_offsets.with_room(std::size_t{count} + 1);
+    scratch.piece_kept.with_room(std::size_t{4} * count);
+    stages_.launch<kernels::visible_cut>(count, parameters, {.counts = &part_offsets}, *table_,
+                                         lines, lines.clipped, lists_, optional(), scratch);
+    stages_.scan(part_offsets, count, ScanKind::saturate);
+    scratch.raw_parts.with_room(2 * std::size_t{read_one<la_uint>(device_, part_offsets, count)});
     stages_.launch<kernels::visible_parts>(count, parameters, *table_, lines, lines.clipped, lists_,
-                                           optional(), pieces, raw);
-    stages_.launch<kernels::visible_join>(n, parameters, lines.clipped, pieces, raw,
-                                          Counts{*lines.found.offsets});
+                                           optional(), scratch);
+    stages_.launch<kernels::visible_join>(n, parameters, {.counts = lines.found.offsets.get()},
+                                          lines.clipped, scratch);
 }
 
 void ExactVisibility::write_spans(const Lines& lines) {
     ExactParameters parameters = in_chunks(lines.parameters);
     parameters.span_capacity = lines.found.capacity;
     if (device_.tuning().face_lists) {
-        const PieceTables pieces{stages_.scratch(Scratch::piece_offsets),
-                                 stages_.scratch(Scratch::piece_parts),
-                                 stages_.scratch(Scratch::piece_kept)};
-        return stages_.launch<kernels::visible_spans>(
-            parameters.count, parameters, lines.found, lines.clipped, pieces,
-            RawParts{stages_.scratch(Scratch::raw_parts)});
+        return stages_.launch<kernels::visible_spans>(parameters.count, parameters, lines.found,
+                                                      lines.clipped, stages_.exact_scratch());
     }
     stages_.launch<kernels::visible_write>(parameters.count, parameters, lines.found, *table_,
                                            lines, lines.clipped, lists_, optional());
 }
 
-namespace {
-
-/// The visible parts of the ways beside segments: those on either side, and those on the other
-/// side.
-struct WayTables {
-    Buffer &beside_offsets, &beside, &within_offsets, &within;
-};
-WayTables ways_of(const OutlinePartsArgs& args) {
-    return {args.beside.span_offsets, args.beside.spans, args.within.span_offsets,
-            args.within.spans};
-}
-
-} // namespace
-
-void Stages::outline_seen(const OutlineSeenArgs& args) {
-    const std::uint32_t n = args.table.segment_count;
-    launch_each<kernels::outline_seen>(n, args.table, args.clipped, args.spans, args);
-    scan(args.numbers, n, ScanKind::saturate);
+void Stages::outline_seen(const SegmentTable& table, const ClippedTable& clipped,
+                          const SpanTable& spans, Buffer& numbers) {
+    const std::uint32_t n = table.segment_count;
+    launch<kernels::outline_seen>(n, {n}, {.numbers = &numbers}, table, clipped, spans);
+    scan(numbers, n, ScanKind::saturate);
 }
 
 void Stages::outline_parts(const OutlinePartsArgs& args) {
@@ -195,19 +160,14 @@ void Stages::outline_parts(const OutlinePartsArgs& args) {
     parameters.count = args.segment_count;
     parameters.depth = args.depth;
     parameters.capacity = args.part_capacity;
-    launch<kernels::outline_parts_count>(args.segment_count, parameters, args, ways_of(args),
-                                         Counts{args.part_offsets});
+    const struct {
+        Buffer &beside_offsets, &beside, &within_offsets, &within;
+    } ways{args.beside.span_offsets, args.beside.spans, args.within.span_offsets,
+           args.within.spans};
+    launch<kernels::outline_parts_count>(args.segment_count, parameters,
+                                         {.counts = &args.part_offsets}, args, ways);
     scan(args.part_offsets, args.segment_count, ScanKind::saturate);
-    launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways_of(args));
-}
-
-Buffer& Stages::count_spans(const SegmentTable& table, const ClippedTable& clipped,
-                            const SpanTable& spans, const SpansParameters& parameters) {
-    Buffer& counts = scratch(Scratch::block_counts, parameters.blocks + 1);
-    launch_grouped<kernels::spans_count>(parameters.blocks, tuning_.block_local_size, parameters,
-                                         table, clipped, spans, Counts{counts});
-    scan(counts, parameters.blocks, ScanKind::saturate);
-    return counts;
+    launch<kernels::outline_parts_write>(args.segment_count, parameters, args, ways);
 }
 
 void Stages::span_runs(const SpanRunsArgs& args) {
@@ -221,11 +181,8 @@ void Stages::span_runs(const SpanRunsArgs& args) {
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.runs.capacity};
-    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch_grouped<kernels::spans_runs>(
-        std::max(parameters.blocks, 1U), // the first work-item writes the record
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.runs,
-        BlockOffsets{counts});
+    write_blocks<kernels::spans_count, kernels::spans_runs>(parameters, args.table, args.clipped,
+                                                            args.spans, args.runs);
 }
 
 void Stages::span_intervals(const SpanIntervalsArgs& args) {
@@ -239,11 +196,8 @@ void Stages::span_intervals(const SpanIntervalsArgs& args) {
                                      .blocks = divide_up(n, tuning_.segment_block),
                                      .span_capacity = args.spans.capacity,
                                      .capacity = args.into.capacity};
-    Buffer& counts = count_spans(args.table, args.clipped, args.spans, parameters);
-    launch_grouped<kernels::spans_intervals>(
-        std::max(parameters.blocks, 1U), // the first work-item writes the total
-        tuning_.block_local_size, parameters, args.table, args.clipped, args.spans, args.into,
-        BlockOffsets{counts});
+    write_blocks<kernels::spans_count, kernels::spans_intervals>(
+        parameters, args.table, args.clipped, args.spans, args.into);
 }
 
 } // namespace lineatlas::compute

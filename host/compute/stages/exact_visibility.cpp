@@ -180,24 +180,11 @@ void ExactVisibility::find_beside(const ClippedTable& clipped, std::uint32_t see
     write_spans(lines);
 }
 
-namespace {
-
-/// Tables of outline_push and outline_push_in.
-struct OutlineWays {
-    Buffer &seen, &pushed;
-};
-struct BesideOffsets {
-    Buffer& beside_offsets;
-};
-
-} // namespace
-
 OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) {
     const std::uint32_t segments = parameters_.count;
     numbers_.fit((segments + 1ULL) * sizeof(la_uint));
     part_offsets_.fit((segments + 1ULL) * sizeof(la_uint));
-    stages_.outline_seen(
-        {.table = *table_, .clipped = clipped, .spans = spans(), .numbers = *numbers_});
+    stages_.outline_seen(*table_, clipped, spans(), *numbers_);
     const auto seen = read_one<la_uint>(device_, *numbers_, segments);
     const std::uint64_t ways = LA_OUTLINE_WITHIN * std::uint64_t{seen};
     if (ways >= std::numeric_limits<std::uint32_t>::max()) {
@@ -216,11 +203,11 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
                                     .capacity = 0,
                                     .clip_from_world = parameters_.clip_from_world,
                                     .lift = parameters_.lift};
-    const OutlineWays pushed{*seen_, *pushed_};
+    const struct { Buffer &seen, &pushed; } pushed{*seen_, *pushed_};
     stages_.launch<kernels::outline_push>(seen, outline, *table_, clipped, pushed);
     find_beside(clipped, seen, LA_OUTLINE_BESIDE, beside_);
-    stages_.launch<kernels::outline_push_in>(seen, outline, clipped, pushed,
-                                             BesideOffsets{*beside_.offsets});
+    stages_.launch<kernels::outline_push_in>(
+        seen, outline, {.beside_offsets = beside_.offsets.get()}, clipped, pushed);
     find_beside(clipped, seen, LA_OUTLINE_WITHIN, within_);
 
     part_capacity_ = std::max(part_capacity_, beside_.capacity);

@@ -94,7 +94,7 @@ class ExactVisibility {
     ExactParameters in_chunks(const ExactParameters& parameters) const;
     Lines lines(const ClippedTable& clipped) const { return {clipped, parameters_, own_}; }
     /// With Tuning::face_lists: does the work of tile_lists_arrange.
-    void arrange_by_entries(const ExactParameters& parameters, Buffer& ranges);
+    void arrange_by_entries(const ExactParameters& parameters);
     void find_spans(const Lines& lines);
     /// Does the work of visible_count piece by piece, for each segment in each tile. Waits.
     void count_pieces(const Lines& lines, const ExactParameters& parameters);

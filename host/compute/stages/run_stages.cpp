@@ -11,19 +11,8 @@ namespace {
 /// Work-items of kernels that take runs in turns: enough for a GPU.
 constexpr std::uint32_t most_items_in_turns = 1U << 14U;
 
-// Groups for launches.
-struct Lists {
-    Buffer &ends, &memory;
-};
-
-struct RunOffsets {
-    Buffer& run_offsets;
-};
 struct FilteredRuns {
     Buffer &filtered, &filtered_record;
-};
-struct DrawnRuns {
-    Buffer &drawn, &drawn_record;
 };
 struct OutlineTables {
     Buffer *part_offsets = nullptr, *parts = nullptr;
@@ -33,23 +22,16 @@ struct OutlineTables {
 
 void Stages::compact(const CompactArgs& args) {
     const std::uint32_t n = args.table.segment_count;
-    const std::uint32_t blocks = divide_up(n, tuning_.segment_block);
     const CompactParameters parameters{.count = n,
                                        .capacity = args.atlas.capacity,
                                        .viewport = args.viewport,
                                        .half_width = args.half_width,
                                        .hidden = args.hidden ? 1U : 0U,
                                        .block = tuning_.segment_block,
-                                       .blocks = blocks,
+                                       .blocks = divide_up(n, tuning_.segment_block),
                                        .run_capacity = args.runs.capacity};
-    Buffer& counts = scratch(Scratch::block_counts, blocks + 1);
-    launch_grouped<kernels::compact_count>(blocks, tuning_.block_local_size, parameters, args.table,
-                                           args.atlas.clipped, args.atlas, Counts{counts});
-    scan(counts, blocks, ScanKind::saturate);
-    // The first work-item writes the record.
-    launch_grouped<kernels::compact_write>(std::max(blocks, 1U), tuning_.block_local_size,
-                                           parameters, args.table, args.atlas.clipped, args.atlas,
-                                           args.runs, BlockOffsets{counts});
+    write_blocks<kernels::compact_count, kernels::compact_write>(
+        parameters, args.table, args.atlas.clipped, args.atlas, args.runs);
 }
 
 void Stages::halo(const HaloArgs& args) {
@@ -60,9 +42,9 @@ void Stages::halo(const HaloArgs& args) {
                               .width = args.halo + args.half_width,
                               .tolerance = args.tolerance,
                               .total = 0};
-    Buffer& ends = scratch(Scratch::halo_ends, tile_count + std::size_t{1});
+    Buffer& ends = halo_ends_.with_room(tile_count + std::size_t{1});
     device_.clear(ends, tile_count * sizeof(la_uint));
-    launch<kernels::halo_count>(items, parameters, args.runs, Counts{ends});
+    launch<kernels::halo_count>(items, parameters, {.counts = &ends}, args.runs);
     scan(ends, tile_count, ScanKind::saturate);
     parameters.total = read_one<la_uint>(device_, ends, tile_count);
     constexpr std::size_t tables = 7;      // of struct Lists
@@ -73,9 +55,9 @@ void Stages::halo(const HaloArgs& args) {
     halo_lists_.make_room((parameters.total + std::uint64_t{tuning_.halo_lanes}) * tables *
                           sizeof(la_uint));
     Buffer& lists = *halo_lists_;
-    launch<kernels::halo_fill>(items, parameters, args.runs, Lists{ends, lists});
-    launch<kernels::halo_cut>(items, parameters, args.table, args.clipped, args.runs, args,
-                              Lists{ends, lists});
+    launch<kernels::halo_fill>(items, parameters, {.ends = &ends, .memory = &lists}, args.runs);
+    launch<kernels::halo_cut>(items, parameters, {.ends = &ends, .memory = &lists}, args.table,
+                              args.clipped, args.runs, args);
 }
 
 void Stages::filter(const FilterArgs& args) {
@@ -87,15 +69,15 @@ void Stages::filter(const FilterArgs& args) {
                                       .use_cuts = args.cuts != nullptr ? 1U : 0U,
                                       .run_capacity = n,
                                       .filtered_capacity = args.filtered.capacity};
-    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
+    Buffer& counts = run_counts_.with_room(std::size_t{n} + 1);
     const FilteredRuns filtered{args.filtered.runs, args.filtered.record};
-    launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, args.runs,
-                                          Counts{counts});
+    launch_grouped<kernels::filter_count>(n, tuning_.block_local_size, parameters,
+                                          {.counts = &counts}, args.table, args.atlas.clipped,
+                                          args.atlas, args, args.runs);
     scan(counts, n, ScanKind::saturate);
-    launch_grouped<kernels::filter_write>(n, tuning_.block_local_size, parameters, args.table,
-                                          args.atlas.clipped, args.atlas, args, args.runs, filtered,
-                                          RunOffsets{counts});
+    launch_grouped<kernels::filter_write>(n, tuning_.block_local_size, parameters,
+                                          {.run_offsets = &counts}, args.table, args.atlas.clipped,
+                                          args.atlas, args, args.runs, filtered);
     launch_each<kernels::filter_show>(args.filtered.capacity, filtered, args.atlas);
     launch_each<kernels::filter_show_ends>(n, args.table, args.atlas, args.runs);
 }
@@ -113,8 +95,8 @@ void Stages::outline_samples(const OutlineSamplesArgs& args) {
                                               .numbered = args.depth.surfaces ? 1U : 0U,
                                               .sample_capacity = args.sample_capacity,
                                               .part_capacity = args.part_capacity};
-    launch<kernels::outline_samples_count>(n, parameters, args.table, args.clipped,
-                                           args.depth.tables(), Counts{args.part_offsets});
+    launch<kernels::outline_samples_count>(n, parameters, {.counts = &args.part_offsets},
+                                           args.table, args.clipped, args.depth.tables());
     scan(args.part_offsets, n, ScanKind::saturate);
     launch<kernels::outline_samples_write>(n, parameters, args.table, args.clipped,
                                            args.depth.tables(), args);
@@ -130,12 +112,14 @@ void Stages::pens(const PensArgs& args) {
                                                  : args.table.segment_count,
                                     .run_capacity = n,
                                     .drawn_capacity = args.drawn.capacity};
-    Buffer& counts = scratch(Scratch::run_counts, std::size_t{n} + 1);
-    launch<kernels::pens_count>(n, parameters, args.runs, args, args.table, outlines,
-                                Counts{counts});
+    Buffer& counts = run_counts_.with_room(std::size_t{n} + 1);
+    launch<kernels::pens_count>(n, parameters, {.counts = &counts}, args.runs, args, args.table,
+                                outlines);
     scan(counts, n, ScanKind::saturate);
-    launch<kernels::pens_write>(std::max(n, 1U), parameters, args.runs, args, args.table, outlines,
-                                DrawnRuns{args.drawn.runs, args.drawn.record}, RunOffsets{counts});
+    launch<kernels::pens_write>(
+        std::max(n, 1U), parameters,
+        {.run_offsets = &counts, .drawn = &args.drawn.runs, .drawn_record = &args.drawn.record},
+        args.runs, args, args.table, outlines);
 }
 
 void Stages::density(const DensityArgs& args) {
@@ -152,9 +136,9 @@ void Stages::density(const DensityArgs& args) {
                                  .far_limit = args.far_limit,
                                  .again = 0,
                                  .hidden = args.hidden ? 1U : 0U};
-    Buffer& smooth = scratch(Scratch::density_rows, planes);
-    Buffer& drawn = scratch(Scratch::density_drawn, plane);
-    Buffer& excess = scratch(Scratch::density_excesses, plane);
+    Buffer& smooth = density_rows_.with_room(planes);
+    Buffer& drawn = density_drawn_.with_room(plane);
+    Buffer& excess = density_excesses_.with_room(plane);
     if (args.drawn_before.empty())
         device_.clear(args.grid, planes * sizeof(la_uint));
     else

@@ -1,34 +1,19 @@
 // From the model to clipped segments with their places in the atlas.
+#include <glm/gtc/matrix_inverse.hpp>
+
 #include "stages.hpp"
 
 namespace lineatlas::compute {
 
-void Stages::transform(const TransformArgs& args) {
-    launch_each<kernels::transform>(args.vertex_count, args);
-    launch_each<kernels::transform_boxes>(args.cluster_count, {.rest = args.rest_clusters,
-                                                               .objects = args.cluster_objects,
-                                                               .matrices = args.matrices,
-                                                               .clusters = args.clusters});
+void Stages::pyramid(Buffer& depth, glm::ivec2 depth_size, Buffer& tiles) {
+    launch<kernels::pyramid>(count_of_tiles(depth_size),
+                             {.depth_size = depth_size, .tile_count = tiles_for(depth_size)},
+                             {.depth = depth, .tiles = tiles});
 }
 
-void Stages::pyramid(const PyramidArgs& args) {
-    const glm::ivec2 tiles = tiles_for(args.depth_size);
-    launch<kernels::pyramid>(static_cast<std::uint32_t>(tiles.x * tiles.y),
-                             {.depth_size = args.depth_size, .tile_count = tiles}, args);
-}
-
-void Stages::cull(const CullArgs& args) {
-    launch<kernels::cull>(args.count,
-                          {.count = args.count,
-                           .clip_from_world = args.clip_from_world,
-                           .depth_size = args.depth_size,
-                           .tile_count = tiles_for(args.depth_size)},
-                          args);
-}
-
-void Stages::facing(const FacingArgs& args) {
-    const std::uint32_t n = args.table.triangle_count;
-    launch<kernels::facing>(n, {.count = n, .eye = args.eye}, args.table, args);
+void Stages::facing(const SegmentTable& table, const glm::vec4& eye, Buffer& front) {
+    const std::uint32_t n = table.triangle_count;
+    launch<kernels::facing>(n, {.count = n, .eye = eye}, {.front = &front}, table);
 }
 
 namespace {
@@ -36,7 +21,8 @@ namespace {
 ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     ProjectClipParameters parameters{.count = args.table.segment_count,
                                      .clip_from_world = args.clip_from_world,
-                                     .world_from_clip = args.world_from_clip,
+                                     .world_from_clip =
+                                         glm::mat4{glm::inverse(glm::dmat4{args.clip_from_world})},
                                      .viewport = args.viewport,
                                      .step = args.step,
                                      .kind_mask = args.kind_mask,
@@ -56,15 +42,12 @@ ProjectClipParameters parameters_of(const ProjectClipArgs& args) {
     return parameters;
 }
 
-struct Tiles {
-    Buffer* tiles;
-};
 struct ScanTables {
     Buffer &values, &sums;
 };
 
-Tiles tiles_of(const ProjectClipArgs& args) {
-    return {args.occlusion != nullptr ? &args.occlusion->tiles : nullptr};
+Buffer* tiles_of(const ProjectClipArgs& args) {
+    return args.occlusion != nullptr ? &args.occlusion->tiles : nullptr;
 }
 
 } // namespace
@@ -72,14 +55,14 @@ Tiles tiles_of(const ProjectClipArgs& args) {
 void Stages::project_clip_batches(const ProjectClipArgs& args, bool drops_hidden) {
     ProjectClipParameters parameters = parameters_of(args);
     if (!drops_hidden) parameters.hidden = LA_HIDDEN_SAMPLED;
-    launch<kernels::project_clip_batches>(args.batches.batch_count(), parameters, args.batches,
-                                          tiles_of(args));
+    launch<kernels::project_clip_batches>(args.batches.batch_count(), parameters,
+                                          {.tiles = tiles_of(args)}, args.batches);
 }
 
 void Stages::project_clip(const ProjectClipArgs& args) {
-    launch<kernels::project_clip>(args.table.segment_count, parameters_of(args), args.table,
-                                  args.batches, tiles_of(args), args, args.out,
-                                  Counts{args.out.offsets});
+    launch<kernels::project_clip>(args.table.segment_count, parameters_of(args),
+                                  {.tiles = tiles_of(args), .counts = &args.out.offsets},
+                                  args.table, args.batches, args, args.out);
 }
 
 void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
@@ -93,7 +76,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
         const std::uint32_t chunks =
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
         const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
-        const ScanTables tables{values, scratch(Scratch::scan_sums, chunks)};
+        const ScanTables tables{values, scan_sums_.with_room(chunks)};
         launch_variant<kernels::scan_chunks_reduce>(variant, chunks, 1, parameters, tables);
         launch_variant<kernels::scan_chunks_apply>(variant, chunks, 1, parameters, tables);
         return;
@@ -102,7 +85,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
     const std::uint32_t items = divide_up(n, tuning_.scan_per_item),
                         tiles = divide_up(items, group);
     const ScanParameters parameters{.n = n, .chunk = 0};
-    const ScanTables tables{values, scratch(Scratch::scan_sums, tiles)};
+    const ScanTables tables{values, scan_sums_.with_room(tiles)};
     launch_variant<kernels::scan_tiles_reduce>(variant, items, group, parameters, tables);
     launch_variant<kernels::scan_tiles_sums>(variant, group, group, {.n = tiles, .chunk = 0},
                                              tables);

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "carry_args.hpp"
-#include "chain_args.hpp"
 #include "depth_args.hpp"
 #include "exact_args.hpp"
 #include "fill_args.hpp"
@@ -16,26 +14,16 @@
 
 namespace lineatlas::compute {
 
-// Groups of one table, for launches, named as the kernel names its table.
-struct Counts {
-    Buffer& counts;
-};
-struct Offsets {
-    Buffer& offsets;
-};
-struct BlockOffsets {
-    Buffer& block_offsets;
-};
+struct CarryArgs;
+struct ChainArgs;
+struct ChainTables;
 
 /// The stages that kernels run. Each function launches the kernels of a stage, in the same order
 /// and on the same tables on every device. It is as asynchronous as the device.
 class Stages {
   public:
     /// `device` must outlive it.
-    explicit Stages(Device& device) : device_(device), tuning_(device.tuning()) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(Scratch::count); ++i)
-            scratch_.emplace_back(device, table::work_space);
-    }
+    explicit Stages(Device& device) : device_(device), tuning_(device.tuning()) {}
 
     Device& device() const { return device_; }
 
@@ -53,6 +41,12 @@ class Stages {
                 const Groups&... groups) {
         launch_grouped<K>(items, tuning_.local_size, parameters, groups...);
     }
+    /// The tables of `own` are taken before those of the groups; null: the launch does without it.
+    template <class K, class Group, class... Groups>
+    void launch(std::uint32_t items, const typename K::Parameters& parameters,
+                const typename K::Own& own, const Group& group, const Groups&... groups) {
+        launch_variant<K>(0, items, tuning_.local_size, parameters, own, group, groups...);
+    }
     /// Launches a kernel whose only parameter is the number of its elements.
     template <class K>
     void launch_each(std::uint32_t count, const typename K::Tables& tables) {
@@ -67,6 +61,12 @@ class Stages {
     void launch_grouped(std::uint32_t items, std::uint32_t group,
                         const typename K::Parameters& parameters, const Groups&... groups) {
         launch_variant<K>(0, items, group, parameters, groups...);
+    }
+    template <class K, class Group, class... Groups>
+    void launch_grouped(std::uint32_t items, std::uint32_t group,
+                        const typename K::Parameters& parameters, const typename K::Own& own,
+                        const Group& first, const Groups&... groups) {
+        launch_variant<K>(0, items, group, parameters, own, first, groups...);
     }
     /// The same of one of the kernel's variants, see kernel_of().
     template <class K, class... Groups>
@@ -88,13 +88,12 @@ class Stages {
         device_.launch({kernel, std::as_bytes(std::span{&parameters, 1}), list, items, group});
     }
 
-    void transform(const TransformArgs& args);
     /// Throws DeviceError for more clusters than the device can sort.
     void depth(const DepthArgs& args);
-    void planes(const PlanesArgs& args);
-    void pyramid(const PyramidArgs& args);
-    void cull(const CullArgs& args);
-    void facing(const FacingArgs& args);
+    /// `tiles`, out: a float per tile of a depth buffer as in DepthBuffer, row by row.
+    void pyramid(Buffer& depth, glm::ivec2 depth_size, Buffer& tiles);
+    /// `eye`: Camera::eye(). `front`, out: a byte per triangle.
+    void facing(const SegmentTable& table, const glm::vec4& eye, Buffer& front);
     /// Which faces contours cross.
     void contour(const SegmentTable& table, const glm::vec4& eye, const ChainTables& tables);
     /// Which candidates are silhouettes. `front`: of `facing`.
@@ -117,7 +116,10 @@ class Stages {
 
     void span_runs(const SpanRunsArgs& args);
     void span_intervals(const SpanIntervalsArgs& args);
-    void outline_seen(const OutlineSeenArgs& args);
+    /// Finds segments with visible parts that may be outline. `numbers`, out: how many such
+    /// segments there are before each, and in all.
+    void outline_seen(const SegmentTable& table, const ClippedTable& clipped,
+                      const SpanTable& spans, Buffer& numbers);
     void outline_parts(const OutlinePartsArgs& args);
     void outline_samples(const OutlineSamplesArgs& args);
     void pens(const PensArgs& args);
@@ -129,64 +131,54 @@ class Stages {
     void list_strokes(const StrokeListArgs& args);
     void draw_strokes(const StrokeArgs& args);
 
-    /// Tables that stages keep from call to call only for their memory.
-    enum class Scratch {
-        scan_sums,
-        block_counts,
-        run_counts,
-        halo_ends,
-        depth_places,
-        depth_boxes,
-        depth_nearest,
-        depth_order,
-        depth_total,
-        depth_next,
-        depth_unasked,
-        depth_no_numbers,
-        depth_blank,
-        // Where Tuning::depth_each:
-        depth_counts,
-        depth_positions,
-        depth_texels,
-        depth_large_count,
-        depth_large,
-        density_rows,
-        density_drawn,
-        density_excesses,
-        corner_facing,
-        stroke_boxes, // where Tuning::stroke_pixels
-        // Of the method exact where Tuning::face_lists:
-        list_ranges,
-        list_keys,
-        list_placed,
-        piece_offsets,
-        piece_parts,
-        piece_kept,
-        raw_parts,
-        count
+    /// Where Tuning::face_lists, the work space of the exact method's lists and of the pieces of
+    /// lines in each tile.
+    struct ExactScratch {
+        Device& device;
+        ScratchTable ranges{device}, keys{device}, placed{device};
+        ScratchTable piece_offsets{device}, part_offsets{device}, piece_kept{device},
+            raw_parts{device};
     };
-    /// A table with room for at least `count` uint32.
-    Buffer& scratch(Scratch name, std::size_t count) {
-        scratch_[static_cast<std::size_t>(name)].make_room(count * sizeof(la_uint));
-        return scratch(name);
-    }
-    /// The same table as it is.
-    Buffer& scratch(Scratch name) const { return *scratch_[static_cast<std::size_t>(name)]; }
+    ExactScratch& exact_scratch() { return exact_; }
 
   private:
     /// The blank tiles of `args`, or a table in which nothing is known to be blank.
     Buffer& blank_tiles(const DepthArgs& args);
     /// With Tuning::depth_each in place of depth_order and depth_tiles.
-    void depth_each(const DepthArgs& args, DepthParameters parameters, Buffer& places);
+    void depth_each(const DepthArgs& args, DepthParameters parameters);
     /// The order of the clusters, and where each stands in it.
-    void order_clusters(DepthParameters& parameters, Buffer& places, Buffer& order,
-                        Buffer& positions);
-    /// The counts of what `parameters` ask for, per block of segments, scanned.
-    Buffer& count_spans(const SegmentTable& table, const ClippedTable& clipped,
-                        const SpanTable& spans, const SpansParameters& parameters);
+    void order_clusters(DepthParameters& parameters);
+    /// Counts per block of segments by kernel `Count`, and writes what was counted by `Write`,
+    /// which gets the sums of the counts.
+    template <class Count, class Write, class... Groups>
+    void write_blocks(const typename Count::Parameters& parameters, const Groups&... groups) {
+        const std::uint32_t blocks = parameters.blocks;
+        Buffer& counts = block_counts_.with_room(blocks + 1);
+        launch_grouped<Count>(blocks, tuning_.block_local_size, parameters, {.counts = &counts},
+                              groups...);
+        scan(counts, blocks, ScanKind::saturate);
+        // The first work-item also writes how many there are.
+        launch_grouped<Write>(std::max(blocks, 1U), tuning_.block_local_size, parameters,
+                              {.block_offsets = &counts}, groups...);
+    }
     Device& device_;
-    const Tuning& tuning_;       ///< of device_
-    std::vector<Table> scratch_; ///< by Scratch
+    const Tuning& tuning_; ///< of device_
+    /// The work space of `depth`.
+    struct DepthScratch {
+        Device& device;
+        ScratchTable places{device}, order{device}, unasked{device}, no_numbers{device},
+            blank_tiles{device};
+        ScratchTable boxes{device}, nearest{device}, total{device}, next{device};
+        // Where Tuning::depth_each:
+        ScratchTable key_counts{device}, positions{device}, texels{device}, large_count{device},
+            large_list{device};
+    };
+    DepthScratch depth_{device_};
+    ExactScratch exact_{device_};
+    ScratchTable scan_sums_{device_}, block_counts_{device_}, run_counts_{device_},
+        halo_ends_{device_}, corner_facing_{device_};
+    ScratchTable density_rows_{device_}, density_drawn_{device_}, density_excesses_{device_};
+    ScratchTable stroke_boxes_{device_}; ///< where Tuning::stroke_pixels
     Table halo_lists_{device_, table::halo_lists};
 };
 

@@ -4,13 +4,6 @@
 #include "stages.hpp"
 
 namespace lineatlas::compute {
-namespace {
-
-struct Boxes {
-    Buffer& boxes;
-};
-
-} // namespace
 
 std::uint32_t stroke_chunks(const Tuning& tuning, glm::vec2 viewport) {
     // A poster has so many tiles that they alone keep a device busy.
@@ -34,7 +27,7 @@ void Stages::list_strokes(const StrokeListArgs& args) {
     const std::size_t ends = stroke_ends(tuning_, args.viewport);
     device_.clear(args.lists.ends, ends * sizeof(la_uint));
     launch_grouped<kernels::strokes_count>(parameters.chunks, tuning_.block_local_size, parameters,
-                                           args.runs, Counts{args.lists.ends});
+                                           {.counts = &args.lists.ends}, args.runs);
     scan(args.lists.ends, static_cast<std::uint32_t>(ends - 1), ScanKind::saturate);
     launch_grouped<kernels::strokes_list>(parameters.chunks, tuning_.block_local_size, parameters,
                                           args.runs, args.lists);
@@ -66,18 +59,17 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     constexpr std::size_t box_words = sizeof(StrokeBox) / sizeof(la_uint);
-    const Boxes boxes{
-        scratch(Scratch::stroke_boxes, tuning_.stroke_pixels ? args.run_count * box_words : 1)};
+    Buffer& boxes = stroke_boxes_.with_room(tuning_.stroke_pixels ? args.run_count * box_words : 1);
     if (tuning_.stroke_pixels)
-        launch<kernels::strokes_boxes>(args.run_count, parameters, args, boxes);
+        launch<kernels::strokes_boxes>(args.run_count, parameters, {.boxes = &boxes}, args);
     // No list is longer than all runs are; no loop than the device allows.
     do {
         parameters.begin = parameters.end;
         parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);
         if (tuning_.stroke_pixels) {
             const std::uint32_t pixels = LA_STROKE_TILE * LA_STROKE_TILE / tuning_.depth_lanes;
-            launch<kernels::strokes_pixels>(tile_count * pixels, parameters, boxes, args,
-                                            args.lists);
+            launch<kernels::strokes_pixels>(tile_count * pixels, parameters, {.boxes = &boxes},
+                                            args, args.lists);
         } else {
             launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, args, args.lists);
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -70,6 +71,18 @@ class Table {
     Device* device_;
     const TableName* name_;
     std::unique_ptr<Buffer> buffer_;
+};
+
+/// A table that stages keep from call to call only for its memory.
+class ScratchTable : public Table {
+  public:
+    explicit ScratchTable(Device& device) : Table(device, table::work_space) {}
+
+    /// The table, with room for at least `count` uint32.
+    Buffer& with_room(std::size_t count) {
+        make_room(count * sizeof(std::uint32_t));
+        return **this;
+    }
 };
 
 /// The table for a launch, see kernels.hpp. Throws std::logic_error for one without room.

@@ -24,7 +24,6 @@ struct ProjectClipArgs {
     SegmentTable table;
     Buffer& front;
     glm::mat4 clip_from_world;
-    glm::mat4 world_from_clip;
     glm::vec2 viewport;             ///< pixels
     float step;                     ///< k: pixels per sample, above 0
     std::uint32_t kind_mask;        ///< kinds to draw, bit 1 << kind
