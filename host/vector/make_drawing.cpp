@@ -150,7 +150,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     hide_beyond_corners(lines, camera, pieces);
     meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
-    if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture.y);
+    if (pens.tell_outlines()) mark_outlines(strips, pieces, options.outlines, picture);
     if (style.hidden)
         join_centre_lines(classes, pens, strips);
     else

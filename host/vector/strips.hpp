@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 #include "pieces.hpp"
@@ -51,8 +53,10 @@ struct Strip {
 /// Makes strips of pieces. Silhouettes are chained at the mesh's vertices, the straightest first.
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
 
-/// Marks the stretches of every strip with the background on one side.
+/// Marks the stretches of every strip with the background on one side. A silhouette that ends on an
+/// edge ends the stretches beside it.
+/// picture: its size, pixels.
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
-                   std::span<const OutlinePart> outlines, double picture_height);
+                   std::span<const OutlinePart> outlines, glm::dvec2 picture);
 
 } // namespace lineatlas

@@ -316,6 +316,41 @@ TEST_F(RoundThings, SilhouettesOfMeshesLeaveAsCurvesToo) {
     EXPECT_LT(2 * path.curves.size(), path.points.size());
 }
 
+/// The pen of a rim changes where a silhouette ends on the rim: all of them end at one point.
+TEST_F(RoundThings, OutlinesLeaveARimWhereSilhouettesEnd) {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, 20).Shape();
+    const Mesh mesh = load("a.brep", to_brep(cone), {.pixels = 1024}).mesh;
+    const LineSet lines = extract_lines(mesh);
+    Style style;
+    style.pens = {{.match = {.kinds = {"outline"}}, .width = 4.0F}};
+    for (const char* direction : {"130,-20", "40,-45", "200,-30"}) {
+        SCOPED_TRACE(direction);
+        const View view = frame_points_from(view_direction(direction, up), lines.vertices,
+                                            {1024, 768}, View{}.fov_y, Projection::perspective);
+        const Camera camera = make_camera(view, {1024, 768}, lines.bounds);
+        LineVisibility visibility{lines};
+        const std::vector<Interval> intervals =
+            visibility.find(camera, {.hidden = true, .outlines = true});
+        const std::vector<VectorPath> paths =
+            make_vector_drawing(lines, camera, intervals, style,
+                                {.mesh = &mesh, .outlines = visibility.outlines()})
+                .paths;
+        ASSERT_EQ(paths.size(), 4U); // two halves of the rim, and two lines
+        for (const VectorPath& silhouette : paths) {
+            if (silhouette.kind != LineKind::silhouette) continue;
+            const bool starts_at_tip = silhouette.points.front().world.z > 10;
+            const glm::dvec2 end =
+                (starts_at_tip ? silhouette.points.back() : silhouette.points.front()).at;
+            for (const VectorPath& rim : paths) {
+                if (rim.kind == LineKind::silhouette) continue;
+                EXPECT_LT(std::min(glm::distance(rim.points.front().at, end),
+                                   glm::distance(rim.points.back().at, end)),
+                          1e-4);
+            }
+        }
+    }
+}
+
 /// Where an outline leaves a rim, both end at the same point.
 TEST_F(RoundThings, RimsAndSilhouettesMeet) {
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 4, 15).Shape();
