@@ -37,7 +37,7 @@ constexpr double longest_scrap = 12; ///< pixels
 /// A silhouette of a surface touches the edge that it ends on. It may run along that edge this far,
 /// pixels. So may an edge of the file beside a line that ends where the edge does: there the pen of
 /// a rim changes.
-constexpr double longest_touch = 16;
+constexpr double longest_touch = 32;
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
 /// ridge, valley, tangent, centre, trail.

@@ -71,10 +71,12 @@ void tidy(Strip& strip) {
     const double enough = std::min(least_outline, strip.length - same_place);
     const bool over_seam = strip.closed && !joined.empty() && joined.front().from < same_place &&
                            joined.back().to > strip.length - same_place;
+    const auto length = [](const Stretch& stretch) { return stretch.to - stretch.from; };
+    const double over = over_seam ? length(joined.front()) + length(joined.back()) : 0;
     std::erase_if(joined, [&](const Stretch& stretch) {
         const bool at_seam =
             over_seam && (stretch.from < same_place || stretch.to > strip.length - same_place);
-        return !at_seam && stretch.to - stretch.from < enough;
+        return (at_seam ? over : length(stretch)) < enough;
     });
     // Overshoots of the strip are like its ends.
     for (Stretch& stretch : joined) {
@@ -135,7 +137,7 @@ class SilhouetteEnds {
     static constexpr double reach = 0.25;
     /// A stretch is this much too long or too short at most, pixels, and ends where the edge is so
     /// far from the silhouette at most. The background is looked for half a pixel beside lines.
-    static constexpr double longest_touch = 16, widest_touch = 1;
+    static constexpr double longest_touch = 32, widest_touch = 1;
 
     struct End {
         glm::dvec2 at, before; ///< the last points of a silhouette
