@@ -34,6 +34,7 @@ struct CheckArguments {
     std::string drawing, model, picture;
     std::size_t worst = 5;
     std::optional<double> at_most;
+    std::optional<std::size_t> paths;
     ReadOptions read;
 };
 
@@ -114,6 +115,13 @@ void hold_to(double at_most, const DrawingErrors& errors, const std::string& pat
     }
 }
 
+/// Throws Error if a drawing has another number of visible paths than the one known to be right.
+void hold_to_paths(std::size_t expected, std::size_t found, const std::string& path) {
+    if (found != expected)
+        throw Error(fmt::format("\"{}\": it has {} visible paths, not the {} of --paths", path,
+                                found, expected));
+}
+
 void check(const CheckArguments& arguments) {
     arguments.read.check();
     if (!arguments.picture.empty()) check_image_path(arguments.picture);
@@ -148,6 +156,7 @@ void check(const CheckArguments& arguments) {
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));
     std::fflush(stdout); // messages about the result come after it
     if (arguments.at_most) hold_to(*arguments.at_most, certificate.narrow, arguments.drawing);
+    if (arguments.paths) hold_to_paths(*arguments.paths, certificate.paths, arguments.drawing);
 }
 
 } // namespace
@@ -166,6 +175,11 @@ Command setup_check(CLI::App& app) {
            "Fail (exit code 1) where more than this is missed or false within 0.5 pixels, in "
            "% of what is visible")
         ->check(CLI::Range(0.0, 100.0));
+    app.add_option(
+           "--paths", a.paths,
+           "Fail (exit code 1) unless the drawing has so many visible paths, a number known by "
+           "hand: a sphere has one")
+        ->check(CLI::Range(0, 1'000'000'000));
     a.read.declare(app);
     app.footer("Rays are cast from the eye to every quarter of a pixel of every line of the model, "
                "and the\ndrawing is compared with what they say. Camera and lines are those that "

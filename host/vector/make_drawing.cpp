@@ -151,7 +151,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     meet_junctions(lines, picture, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines() && !options.outlines.empty())
-        mark_outlines(strips, pieces, options.outlines, picture.y, {lines, camera});
+        mark_outlines(strips, pieces, options.outlines, picture, {lines, camera});
     if (style.hidden)
         join_centre_lines(classes, pens, strips);
     else

@@ -35,8 +35,9 @@ constexpr double shortest_overlap = 0.02;
 constexpr double shortest_rest = 0.5;
 constexpr double longest_scrap = 12; ///< pixels
 /// A silhouette of a surface touches the edge that it ends on. It may run along that edge this far,
-/// pixels.
-constexpr double longest_touch = 16;
+/// pixels. So may an edge of the file beside a line that ends where the edge does: there the pen of
+/// a rim changes.
+constexpr double longest_touch = 32;
 
 /// By LineKind: crease, boundary, material, silhouette, file, intersection, section, hatching,
 /// ridge, valley, tangent, centre, trail.
@@ -212,18 +213,30 @@ class Overlaps {
 
   private:
     /// Removes spans from `covered` that only touch the lines along them.
-    static void keep_touching_ends(const VectorPath& path, double length,
-                                   std::vector<Span>& covered) {
+    void keep_touching_ends(const VectorPath& path, double length, std::vector<Span>& covered) {
         if (path.closed || path.pieces.empty()) return;
-        const auto touches = [&](const VectorPiece& piece, Span span) {
-            return piece.face != KnownSurfaces::none && span.to - span.from < longest_touch &&
-                   3 * (span.to - span.from) < length;
+        const auto touches = [&](const VectorPiece& piece, const VectorPoint& end, Span span) {
+            if (span.to - span.from >= longest_touch || 3 * (span.to - span.from) >= length)
+                return false;
+            return piece.face != KnownSurfaces::none ||
+                   (piece.edge != VectorPiece::none && is_joint(end.at));
         };
-        if (covered.front().from < shortest_rest && touches(path.pieces.front(), covered.front()))
+        if (covered.front().from < shortest_rest &&
+            touches(path.pieces.front(), path.points.front(), covered.front()))
             covered.erase(covered.begin());
         if (!covered.empty() && covered.back().to > length - shortest_rest &&
-            touches(path.pieces.back(), covered.back()))
+            touches(path.pieces.back(), path.points.back(), covered.back()))
             covered.pop_back();
+    }
+
+    /// Whether a line that is drawn ends at a place.
+    bool is_joint(glm::dvec2 at) {
+        constexpr double same_point = 1e-6; // pixels
+        return std::ranges::any_of(grid_.near(at, at, same_point), [&](std::uint32_t i) {
+            const Line& line = lines_[i];
+            return glm::distance(line.a, at) < same_point ||
+                   glm::distance(line.a + line.along * line.length, at) < same_point;
+        });
     }
 
     std::vector<Span> covered_part(const Line& line) {

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "segment_grid.hpp"
 #include "strips.hpp"
 
 namespace lineatlas {
@@ -68,10 +72,12 @@ void tidy(Strip& strip) {
     const double enough = std::min(least_outline, strip.length - same_place);
     const bool over_seam = strip.closed && !joined.empty() && joined.front().from < same_place &&
                            joined.back().to > strip.length - same_place;
+    const auto length = [](const Stretch& stretch) { return stretch.to - stretch.from; };
+    const double over = over_seam ? length(joined.front()) + length(joined.back()) : 0;
     std::erase_if(joined, [&](const Stretch& stretch) {
         const bool at_seam =
             over_seam && (stretch.from < same_place || stretch.to > strip.length - same_place);
-        return !at_seam && stretch.to - stretch.from < enough;
+        return (at_seam ? over : length(stretch)) < enough;
     });
     // Overshoots of the strip are like its ends.
     for (Stretch& stretch : joined) {
@@ -139,20 +145,114 @@ bool is_rim_of_hole(const Strip& strip, Stretch stretch, const Pieces& pieces,
     return beside.enclosed > beside.around;
 }
 
+glm::dvec2 start_of(const StripStep& step, const Pieces& pieces) {
+    const ScreenSegment& segment = pieces.screen[step.screen];
+    return step.reversed ? segment.q.at : segment.p.at;
+}
+
+glm::dvec2 end_of(const StripStep& step, const Pieces& pieces) {
+    const ScreenSegment& segment = pieces.screen[step.screen];
+    return step.reversed ? segment.p.at : segment.q.at;
+}
+
+/// Where silhouettes end.
+class SilhouetteEnds {
+  public:
+    SilhouetteEnds(const std::vector<Strip>& strips, const Pieces& pieces, glm::dvec2 picture)
+        : pieces_(pieces), grid_(picture) {
+        for (const Strip& strip : strips) {
+            if (strip.kind != LineKind::silhouette || strip.closed || strip.steps.empty()) continue;
+            const StripStep &first = strip.steps.front(), &last = strip.steps.back();
+            add({start_of(first, pieces), end_of(first, pieces)});
+            add({end_of(last, pieces), start_of(last, pieces)});
+        }
+    }
+
+    /// Moves the ends of the stretches of a strip to silhouettes that end beside them on the strip.
+    void draw_near(Strip& strip) {
+        if (strip.kind == LineKind::silhouette) return;
+        for (Stretch& stretch : strip.outlines) {
+            const double from = nearest(strip, stretch.from), to = nearest(strip, stretch.to);
+            if (from < to) stretch = {from, to};
+        }
+    }
+
+  private:
+    /// A touching silhouette ends this near to the chords of the edge, pixels.
+    static constexpr double reach = 0.25;
+    /// A stretch is this much too long or too short at most, pixels, and ends where the edge is so
+    /// far from the silhouette at most. The background is looked for half a pixel beside lines.
+    static constexpr double longest_touch = 32, widest_touch = 1;
+
+    struct End {
+        glm::dvec2 at, before; ///< the last points of a silhouette
+    };
+
+    void add(const End& end) {
+        grid_.insert(end.at, end.at, static_cast<std::uint32_t>(ends_.size()));
+        ends_.push_back(end);
+    }
+
+    glm::dvec2 point_at(const Strip& strip, double place) const {
+        const auto after = std::ranges::upper_bound(strip.steps, place, {}, &StripStep::start);
+        const StripStep& step = after == strip.steps.begin() ? *after : *std::prev(after);
+        const double length = pieces_.screen[step.screen].length;
+        const double share = length > 0 ? (place - step.start) / length : 0;
+        return glm::mix(start_of(step, pieces_), end_of(step, pieces_), share);
+    }
+
+    static bool is_beside(glm::dvec2 at, const End& end) {
+        const glm::dvec2 way = end.before - end.at, to = at - end.at;
+        return std::abs(way.x * to.y - way.y * to.x) <= widest_touch * glm::length(way);
+    }
+
+    /// The place nearest to the given one at which a silhouette ends that passes beside the given
+    /// one; else the given place.
+    double nearest(const Strip& strip, double place) {
+        if (!(place > 0 && place < strip.length)) return place;
+        const glm::dvec2 beside = point_at(strip, place);
+        double best = place, least = longest_touch;
+        for (const StripStep& step : strip.steps) {
+            const double length = pieces_.screen[step.screen].length;
+            if (!(length > 0) || step.start > place + least || step.start + length < place - least)
+                continue;
+            const glm::dvec2 a = start_of(step, pieces_), b = end_of(step, pieces_);
+            for (const std::uint32_t i : grid_.near(a, b, reach)) {
+                const End& end = ends_[i];
+                const double share =
+                    std::clamp(glm::dot(end.at - a, b - a) / (length * length), 0.0, 1.0);
+                const double at = step.start + share * length;
+                if (std::abs(at - place) >= least || !is_beside(beside, end) ||
+                    glm::distance(glm::mix(a, b, share), end.at) > reach)
+                    continue;
+                best = at;
+                least = std::abs(at - place);
+            }
+        }
+        return best;
+    }
+
+    const Pieces& pieces_;
+    SegmentGrid grid_;
+    std::vector<End> ends_;
+};
+
 } // namespace
 
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
-                   std::span<const OutlinePart> outlines, double picture_height,
+                   std::span<const OutlinePart> outlines, glm::dvec2 picture,
                    const Background& background) {
     PartsOfSegment parts;
     for (const OutlinePart& part : outlines) parts.emplace(part.segment, &part);
     if (parts.empty()) return;
+    SilhouetteEnds ends{strips, pieces, picture};
     for (Strip& strip : strips) {
-        add_stretches(strip, pieces, parts, picture_height);
+        add_stretches(strip, pieces, parts, picture.y);
         tidy(strip);
         std::erase_if(strip.outlines, [&](Stretch stretch) {
             return is_rim_of_hole(strip, stretch, pieces, background);
         });
+        ends.draw_near(strip);
         add_remainders(strip);
     }
 }

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "background.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
@@ -53,9 +55,10 @@ struct Strip {
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
 
 /// Marks the stretches of every strip that have the background around the model on one side. Rims
-/// of holes, beside background that the model surrounds, are not marked.
+/// of holes, beside background that the model surrounds, are not marked. A silhouette that ends on
+/// an edge ends the stretches beside it. picture: its size, pixels.
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
-                   std::span<const OutlinePart> outlines, double picture_height,
+                   std::span<const OutlinePart> outlines, glm::dvec2 picture,
                    const Background& background);
 
 } // namespace lineatlas

@@ -117,6 +117,23 @@ TEST_F(CheckCommand, FindsLinesThatAreMissingAndLinesThatAreFalse) {
                    "--at-most");
 }
 
+TEST_F(CheckCommand, ADrawingHasAsManyPathsAsExpected) {
+    write_model();
+    run("draw " + path("model.obj") + " --size 400x300 -o " + path("a.svg"));
+    const auto found = static_cast<int>(figure(check("a.svg"), "visible paths"));
+    ASSERT_GT(found, 1);
+    check("a.svg", " --paths " + std::to_string(found));
+    const std::string few = std::to_string(found - 1);
+    const Result result =
+        run("check " + path("a.svg") + " " + path("model.obj") + " --paths " + few);
+    EXPECT_EQ(result.exit_code, 1);
+    const std::string why =
+        "it has " + std::to_string(found) + " visible paths, not the " + few + " of --paths";
+    EXPECT_NE(result.output.find(why), std::string::npos) << result.output;
+    expect_refused("check " + path("a.svg") + " " + path("model.obj") + " --paths -1", 2,
+                   "--paths");
+}
+
 TEST_F(CheckCommand, DrawingsOfOtherLinesAnglesAndPagesAreCheckedAsTheyWereMade) {
     write_model();
     for (const char* options :

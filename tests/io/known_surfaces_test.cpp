@@ -1,6 +1,8 @@
 // The surfaces of files of exact geometry. Their computed places are those of Open CASCADE's
 // triangles, and their normals are its normals.
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -127,6 +130,29 @@ TEST_F(KnownSurfacesOfFiles, SplinesAndSweptSurfaces) {
         for (int j = 1; j <= 3; ++j) poles(i, j) = gp_Pnt(i, j, i * j % 3);
     check(face(new Geom_BezierSurface(poles), 1, 1));
     check(face(new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.2), 1, 1));
+}
+
+/// A tube of a closed spline without weights, as CAD programs loft vases.
+TEST_F(KnownSurfacesOfFiles, SplinesThatClose) {
+    constexpr int around = 6;
+    TColgp_Array2OfPnt poles(1, around, 1, 2);
+    TColStd_Array1OfReal turns(1, around + 1), heights(1, 2);
+    TColStd_Array1OfInteger once(1, around + 1), twice(1, 2);
+    for (int i = 1; i <= around + 1; ++i) {
+        turns(i) = i;
+        once(i) = 1;
+    }
+    for (int j = 1; j <= 2; ++j) {
+        heights(j) = j;
+        twice(j) = 2;
+        for (int i = 1; i <= around; ++i) {
+            const double angle = 2 * std::numbers::pi * i / around;
+            poles(i, j) = gp_Pnt(j * std::cos(angle), std::sin(angle), 3 * j);
+        }
+    }
+    check(BRepBuilderAPI_MakeFace(
+              new Geom_BSplineSurface(poles, turns, heights, once, twice, 2, 1, true, false), 1e-6)
+              .Shape());
 }
 
 /// Surfaces at the places of parts in an assembly, also of a mirrored part.

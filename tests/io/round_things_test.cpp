@@ -316,6 +316,62 @@ TEST_F(RoundThings, SilhouettesOfMeshesLeaveAsCurvesToo) {
     EXPECT_LT(2 * path.curves.size(), path.points.size());
 }
 
+/// Paths by the pens of a style that tells outlines from other lines.
+std::vector<VectorPath> paths_by_outline(const Mesh& mesh, const char* direction,
+                                         Projection projection) {
+    constexpr glm::ivec2 size{1024, 768};
+    const LineSet lines = extract_lines(mesh);
+    Style style;
+    style.pens = {{.match = {.kinds = {"outline"}}, .width = 4.0F}};
+    const View view = frame_points_from(view_direction(direction, up), lines.vertices, size,
+                                        View{}.fov_y, projection);
+    const Camera camera = make_camera(view, size, lines.bounds);
+    LineVisibility visibility{lines};
+    const std::vector<Interval> intervals =
+        visibility.find(camera, {.hidden = true, .outlines = true});
+    return make_vector_drawing(lines, camera, intervals, style,
+                               {.mesh = &mesh, .outlines = visibility.outlines()})
+        .paths;
+}
+
+/// The pen of a rim changes where a silhouette ends on the rim: all of them end at one point.
+TEST_F(RoundThings, OutlinesLeaveARimWhereSilhouettesEnd) {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, 20).Shape();
+    const Mesh mesh = load("a.brep", to_brep(cone), {.pixels = 1024}).mesh;
+    for (const char* direction : {"130,-20", "40,-45", "200,-30"}) {
+        SCOPED_TRACE(direction);
+        const std::vector<VectorPath> paths =
+            paths_by_outline(mesh, direction, Projection::perspective);
+        ASSERT_EQ(paths.size(), 4U); // two halves of the rim, and two lines
+        for (const VectorPath& silhouette : paths) {
+            if (silhouette.kind != LineKind::silhouette) continue;
+            const bool starts_at_tip = silhouette.points.front().world.z > 10;
+            const glm::dvec2 end =
+                (starts_at_tip ? silhouette.points.back() : silhouette.points.front()).at;
+            for (const VectorPath& rim : paths) {
+                if (rim.kind == LineKind::silhouette) continue;
+                EXPECT_LT(std::min(glm::distance(rim.points.front().at, end),
+                                   glm::distance(rim.points.back().at, end)),
+                          1e-4);
+            }
+        }
+    }
+}
+
+/// The outer end of a rim seen edge on is no outline, though the background is beside it.
+TEST_F(RoundThings, ARimSeenEdgeOnHasOnePen) {
+    const TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(10, 40).Shape();
+    const TopoDS_Shape tip =
+        BRepPrimAPI_MakeCone(gp_Ax2{gp_Pnt{0, 0, 40}, gp::DZ()}, 10, 0, 8).Shape();
+    const TopoDS_Shape drill = BRepAlgoAPI_Fuse(shaft, tip).Shape();
+    const Mesh mesh = load("a.brep", to_brep(drill), {.pixels = 1024}).mesh;
+    for (const std::string& direction : level) {
+        SCOPED_TRACE(direction);
+        // Two rims, and two lines down from the tip.
+        EXPECT_EQ(paths_by_outline(mesh, direction.c_str(), Projection::orthographic).size(), 4U);
+    }
+}
+
 /// Where an outline leaves a rim, both end at the same point.
 TEST_F(RoundThings, RimsAndSilhouettesMeet) {
     const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 4, 15).Shape();

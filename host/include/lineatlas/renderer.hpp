@@ -48,7 +48,8 @@ enum class StageForm {
     compute,   ///< in kernels
 };
 
-/// The forms of stages, for measurements and for finding faults. Pictures of the two other forms differ only by rounding.
+/// The forms of stages, for measurements and for finding faults. Pictures of the two other forms
+/// differ only by rounding.
 struct StageForms {
     /// Samples, as proxy lines into a texture (§4.2) or by a kernel over samples.
     StageForm atlas = StageForm::automatic;
@@ -56,8 +57,8 @@ struct StageForms {
     /// 100,000. For the methods atlas and spine, and for the fill of exact.
     StageForm depth = StageForm::automatic;
     /// Strokes (§4.4). Kernels draw pictures of 8 bits with marks that are even across the stroke
-    /// (solid, dashed), butt and round caps, and joins without bevels, but no profiles and no focus.
-    /// GL draws all of a frame that asks for anything else.
+    /// (solid, dashed), butt and round caps, and joins without bevels, but no profiles and no
+    /// focus. GL draws all of a frame that asks for anything else.
     StageForm strokes = StageForm::automatic;
 };
 

@@ -108,12 +108,15 @@ SurfaceShape net(Handle(Geom_BSplineSurface) surface) {
         if (surface->IsUPeriodic()) surface->SetUNotPeriodic();
         if (surface->IsVPeriodic()) surface->SetVNotPeriodic();
     }
+    // Open CASCADE leaves the weights of a polynomial net that was periodic at zero.
+    const bool weighted = surface->IsURational() || surface->IsVRational();
     SurfaceShape result{.kind = SurfaceShape::Kind::spline,
                         .along_u = along(surface->UDegree(), surface->UKnotSequence()),
                         .along_v = along(surface->VDegree(), surface->VKnotSequence())};
     for (int i = 1; i <= surface->NbUPoles(); ++i)
         for (int j = 1; j <= surface->NbVPoles(); ++j)
-            result.poles.push_back(pole_of(surface->Pole(i, j), surface->Weight(i, j)));
+            result.poles.push_back(
+                pole_of(surface->Pole(i, j), weighted ? surface->Weight(i, j) : 1));
     return result;
 }
 
