@@ -231,11 +231,12 @@ KERNEL(depth_small, DepthParameters) {
         const int4 box = within(&to, texels_of(one.a, one.b, one.c, &in_pairs));
         if (is_empty(box)) return;
         if (!in_pairs && (box.z - box.x + 1) * (box.w - box.y + 1) <= FEW_TEXELS) {
-            if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS);
+            if (args.numbered != 0)
+                to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS, (uint)args.lanes);
             fill_small(&to, one.a, one.b, one.c, box);
             return;
         }
-        wide = is_wide(box);
+        wide = is_wide(box, args.side);
     }
     if (to.finds != LA_FINDS_RANKS)
         large_list[atomic_inc(large_count)] =
@@ -257,7 +258,8 @@ KERNEL(depth_large, DepthParameters) {
         const uint cluster = entry / LA_MESHLET_TRIANGLES, t = entry % LA_MESHLET_TRIANGLES;
         const OneTriangle one =
             one_triangle(&view, meshlets[cluster], t, vertex_list, corners, vertices);
-        if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS);
+        if (args.numbered != 0)
+            to.rank = rank_of(positions[cluster], t, SET_UP_IN_INTS, (uint)args.lanes);
         bool large;
         const int4 box = within(&to, texels_of(one.a, one.b, one.c, &large));
         fill_shared(&to, one.a, one.b, one.c, box, wide, share);
@@ -278,7 +280,8 @@ KERNEL(depth_pairs, DepthParameters) {
         const OneTriangle one =
             one_triangle(&view, meshlets[cluster], t, vertex_list, corners, vertices);
         const bool cut = is_cut(&one);
-        if (args.numbered != 0) to.rank = rank_of(positions[cluster], t, cut ? CUT : LARGE);
+        if (args.numbered != 0)
+            to.rank = rank_of(positions[cluster], t, cut ? CUT : LARGE, (uint)args.lanes);
         if (cut)
             fill_cut(&to, &view, vload3(one.i, vertices), vload3(one.j, vertices),
                      vload3(one.k, vertices), share);
@@ -291,9 +294,7 @@ KERNEL(depth_pairs, DepthParameters) {
  * LA_TILE texels a side, of those in the tiles. */
 KERNEL(depth_end, DepthParameters) {
     const int2 size = to_int2(args.depth_size), low = to_int2(args.covered);
-    const int2 tiles = to_int2(args.tiles);
-    const int2 high =
-        int2(min(low.x + tiles.x * DEPTH_TILE, size.x), min(low.y + tiles.y * DEPTH_TILE, size.y));
+    const int2 high = end_of_tiles(&args);
     const int columns = (high.x - low.x + LA_TILE - 1) / LA_TILE;
     const int rows = (high.y - low.y + LA_TILE - 1) / LA_TILE;
     const int i = (int)get_global_id(0);
@@ -325,7 +326,7 @@ KERNEL(depth_end, DepthParameters) {
                 continue;
             }
             const uint cluster = order[rank >> LA_RANK_BITS];
-            numbers[at] = clusters[cluster].first + triangle_of(rank);
+            numbers[at] = clusters[cluster].first + triangle_of(rank, (uint)args.lanes);
             if (cluster != last) atomic_max(seen + cluster, 1u);
             last = cluster;
         }
@@ -338,14 +339,12 @@ KERNEL(depth_seen, DepthParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || places[i].key == LA_OUT_OF_VIEW || seen[i] != 0) return;
     const int2 size = to_int2(args.depth_size), low = to_int2(args.covered);
-    const int2 tiles = to_int2(args.tiles);
-    const int2 last = int2(min(low.x + tiles.x * DEPTH_TILE, size.x) - 1,
-                           min(low.y + tiles.y * DEPTH_TILE, size.y) - 1);
+    const int2 end = end_of_tiles(&args);
     const int columns = (size.x + LA_TILE - 1) / LA_TILE;
     const int left = max(places[i].low_x, low.x) / LA_TILE;
-    const int right = min(places[i].high_x, last.x) / LA_TILE;
+    const int right = min(places[i].high_x, end.x - 1) / LA_TILE;
     const int below = max(places[i].low_y, low.y) / LA_TILE;
-    const int above = min(places[i].high_y, last.y) / LA_TILE;
+    const int above = min(places[i].high_y, end.y - 1) / LA_TILE;
     for (int y = below; y <= above; ++y) {
         for (int x = left; x <= right; ++x) {
             if (pyramid[y * columns + x] < places[i].nearest) continue;

@@ -5,7 +5,8 @@
  * bits (LONG_ATOMICS). Otherwise a first pass finds the depth, and a second pass the lowest rank of
  * the triangles that have this depth. The form by tiles draws triangles in the order of their
  * ranks. A plane is followed from the same texel on as in that form, which depends on where tiles
- * of DEPTH_TILE texels begin, and on LANES. So all forms give the same bits.
+ * of DEPTH_TILE texels begin, and on LANES. So all forms give the same bits. Both are numbers of
+ * DepthParameters here, so that C++ can be compared with a device that has others.
  *
  * A triangle whose box has few texels is filled by one work-item. The others are listed, and
  * LA_DEPTH_SHARE work-items share each. */
@@ -32,20 +33,20 @@ static float depth_of(const uint order) {
     return as_float((order & 0x80000000u) != 0 ? order & 0x7FFFFFFFu : ~order);
 }
 
-/* Ranks of triangles, in the order in which the form by tiles draws them: by cluster, then by LANES
- * triangles of the cluster. Of these LANES, triangles that are set up in ints come first, then
+/* Ranks of triangles, in the order in which the form by tiles draws them: by cluster, then by
+ * `lanes` triangles of the cluster. Of these, triangles that are set up in ints come first, then
  * large ones, then those that are cut. */
 #define SET_UP_IN_INTS 0u
 #define LARGE 1u
 #define CUT 2u
-static uint rank_of(const uint position, const uint triangle, const uint way) {
-    const uint lane = triangle & (LANES - 1u), batch = triangle - lane;
-    return position << LA_RANK_BITS | (batch * 4u + way * LANES + lane);
+static uint rank_of(const uint position, const uint triangle, const uint way, const uint lanes) {
+    const uint lane = triangle & (lanes - 1u), batch = triangle - lane;
+    return position << LA_RANK_BITS | (batch * 4u + way * lanes + lane);
 }
 
-static uint triangle_of(const uint rank) {
+static uint triangle_of(const uint rank, const uint lanes) {
     const uint own = rank & ((1u << LA_RANK_BITS) - 1u);
-    return own / (4u * LANES) * LANES + (own & (LANES - 1u));
+    return own / (4u * lanes) * lanes + (own & (lanes - 1u));
 }
 
 #if LONG_ATOMICS
@@ -60,22 +61,32 @@ static uint triangle_of(const uint rank) {
 
 /* The target of a triangle. Texels are counted in the whole picture. */
 typedef struct Target {
-    int2 origin; /* the first of the tables */
-    int2 base;   /* the first tile's first */
-    int2 last;   /* the last that is drawn */
-    int width;   /* of the tables */
-    uint finds;  /* LA_FINDS_* */
+    int2 origin;     /* the first of the tables */
+    int2 base;       /* the first tile's first */
+    int2 last;       /* the last that is drawn */
+    int width;       /* of the tables */
+    int side, lanes; /* as in DepthParameters */
+    uint finds;      /* LA_FINDS_* */
     uint rank;
     __global DepthTexel* texels;
 } Target;
 
+/* Of the texels of `depth` the first beyond the tiles. */
+static int2 end_of_tiles(const DepthParameters* args) {
+    const int2 low = to_int2(args->covered), tiles = to_int2(args->tiles);
+    const int2 size = to_int2(args->depth_size);
+    return int2(min(low.x + tiles.x * args->side, size.x),
+                min(low.y + tiles.y * args->side, size.y));
+}
+
 INLINED void make_target(const DepthParameters* args, __global DepthTexel* texels, Target* to) {
     to->origin = to_int2(args->origin);
     to->base = to->origin + to_int2(args->covered);
-    const int2 size = to_int2(args->depth_size), tiles = to_int2(args->tiles);
-    to->last = int2(min(to->base.x + tiles.x * DEPTH_TILE, to->origin.x + size.x) - 1,
-                    min(to->base.y + tiles.y * DEPTH_TILE, to->origin.y + size.y) - 1);
-    to->width = size.x;
+    const int2 end = end_of_tiles(args);
+    to->last = int2(to->origin.x + end.x - 1, to->origin.y + end.y - 1);
+    to->width = args->depth_size.v[0];
+    to->side = args->side;
+    to->lanes = args->lanes;
     to->finds = args->finds;
     to->rank = 0;
     to->texels = texels;
@@ -238,10 +249,10 @@ typedef struct Followed {
 
 /* low: first texel of the tile; from, to: the columns that are filled; row: the first row. */
 static Followed follow(const CornerPlane plane, const int2 low, const int from, const int to,
-                       const int row, const bool in_ints) {
+                       const int row, const bool in_ints, const int lanes) {
     Followed f;
-    f.by_columns = in_ints && to - from < 2 * LANES;
-    f.first = f.by_columns ? from : ((from - low.x) & ~(LANES - 1)) + low.x;
+    f.by_columns = in_ints && to - from < 2 * lanes;
+    f.first = f.by_columns ? from : ((from - low.x) & ~(lanes - 1)) + low.x;
     f.plane.x = plane.z_x;
     f.plane.y = plane.z_y;
     f.plane.z =
@@ -267,7 +278,7 @@ static int edge_at(const Turned* t, const int k, const int x, const int y) {
 /* Fills a triangle that is set up in ints, in a part of a tile from `low` on. */
 INLINED void fill_part(const Target* to, const Turned* t, const CornerPlane plane, const int2 low,
                        const int4 part) {
-    const Followed f = follow(plane, low, part.x, part.z, part.y, true);
+    const Followed f = follow(plane, low, part.x, part.z, part.y, true, to->lanes);
     int e0 = edge_at(t, 0, part.x, part.y), e1 = edge_at(t, 1, part.x, part.y);
     int e2 = edge_at(t, 2, part.x, part.y);
     for (int y = part.y; y <= part.w; ++y) {
@@ -285,8 +296,8 @@ INLINED void fill_part(const Target* to, const Turned* t, const CornerPlane plan
 }
 
 /* The first texel of the tile that a texel is in. */
-static int tile_low(const int texel, const int base) {
-    return base + (texel - base) / DEPTH_TILE * DEPTH_TILE;
+static int tile_low(const int texel, const int base, const int side) {
+    return base + (texel - base) / side * side;
 }
 
 /* Fills a triangle whose box is `box`, set up in ints. */
@@ -298,11 +309,11 @@ INLINED void fill_small(const Target* to, const float3 a, const float3 b, const 
     if (doubled == 0) return;
     const Turned t = turn(a, b, c, doubled < 0);
     const CornerPlane plane = plane_in_ints(&t, doubled < 0 ? -doubled : doubled);
-    for (int y = tile_low(box.y, to->base.y); y <= box.w; y += DEPTH_TILE) {
-        for (int x = tile_low(box.x, to->base.x); x <= box.z; x += DEPTH_TILE) {
+    for (int y = tile_low(box.y, to->base.y, to->side); y <= box.w; y += to->side) {
+        for (int x = tile_low(box.x, to->base.x, to->side); x <= box.z; x += to->side) {
             fill_part(to, &t, plane, int2(x, y),
-                      int4(max(x, box.x), max(y, box.y), min(x + DEPTH_TILE - 1, box.z),
-                           min(y + DEPTH_TILE - 1, box.w)));
+                      int4(max(x, box.x), max(y, box.y), min(x + to->side - 1, box.z),
+                           min(y + to->side - 1, box.w)));
         }
     }
 }
@@ -318,8 +329,8 @@ static bool takes(const uint share, const bool wide, const uint count) {
     return !wide || count % (LA_DEPTH_SHARE / squared) == share / squared;
 }
 
-static bool is_wide(const int4 box) {
-    return ((box.z - box.x) / DEPTH_TILE + 1) * ((box.w - box.y) / DEPTH_TILE + 1) > FEW_TILES;
+static bool is_wide(const int4 box, const int side) {
+    return ((box.z - box.x) / side + 1) * ((box.w - box.y) / side + 1) > FEW_TILES;
 }
 
 /* Fills the part of work-item `share` between two texels. */
@@ -361,12 +372,13 @@ INLINED void fill_shared(const Target* to, const float3 a, const float3 b, const
     const Turned t = turn(a, b, c, doubled < 0);
     const CornerPlane plane = plane_in_ints(&t, doubled < 0 ? -doubled : doubled);
     uint count = 0;
-    for (int y = tile_low(box.y, to->base.y); y <= box.w; y += DEPTH_TILE) {
-        for (int x = tile_low(box.x, to->base.x); x <= box.z; x += DEPTH_TILE) {
+    for (int y = tile_low(box.y, to->base.y, to->side); y <= box.w; y += to->side) {
+        for (int x = tile_low(box.x, to->base.x, to->side); x <= box.z; x += to->side) {
             if (!takes(share, wide, count++)) continue;
-            const int4 piece = int4(max(x, box.x), max(y, box.y), min(x + DEPTH_TILE - 1, box.z),
-                                    min(y + DEPTH_TILE - 1, box.w));
-            const Followed f = follow(plane, int2(x, y), piece.x, piece.z, piece.y, true);
+            const int4 piece = int4(max(x, box.x), max(y, box.y), min(x + to->side - 1, box.z),
+                                    min(y + to->side - 1, box.w));
+            const Followed f =
+                follow(plane, int2(x, y), piece.x, piece.z, piece.y, true, to->lanes);
             Edges edges;
             if (int_edges_in_box(&t, int2(f.first, piece.y), piece.z - f.first, piece.w - piece.y,
                                  &edges))
@@ -392,18 +404,19 @@ INLINED void fill_in_pairs(const Target* to, const float3 a, const float3 b, con
         t.x[k] = turned.x[k];
         t.y[k] = turned.y[k];
     }
-    const int side = min(PIECE, DEPTH_TILE);
+    const int side = min(PIECE, to->side); /* of the pieces of a tile */
     uint count = 0;
-    for (int y = tile_low(box.y, to->base.y); y <= box.w; y += DEPTH_TILE) {
-        for (int x = tile_low(box.x, to->base.x); x <= box.z; x += DEPTH_TILE) {
-            const int right = min(x + DEPTH_TILE - 1, box.z);
-            const int above = min(y + DEPTH_TILE - 1, box.w);
+    for (int y = tile_low(box.y, to->base.y, to->side); y <= box.w; y += to->side) {
+        for (int x = tile_low(box.x, to->base.x, to->side); x <= box.z; x += to->side) {
+            const int right = min(x + to->side - 1, box.z);
+            const int above = min(y + to->side - 1, box.w);
             for (int py = y; py <= above; py += side) {
                 for (int px = x; px <= right; px += side) {
                     const int4 piece = int4(max(px, box.x), max(py, box.y),
                                             min(px + side - 1, right), min(py + side - 1, above));
                     if (is_empty(piece) || !takes(share, true, count++)) continue;
-                    const Followed f = follow(plane, int2(x, y), piece.x, piece.z, piece.y, false);
+                    const Followed f =
+                        follow(plane, int2(x, y), piece.x, piece.z, piece.y, false, to->lanes);
                     Edges edges;
                     if (edges_in_box(&t, int2(f.first, piece.y), piece.z - f.first,
                                      piece.w - piece.y, &edges))

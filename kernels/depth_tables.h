@@ -50,6 +50,7 @@ typedef struct DepthParameters {
     la_uint chunk, chunks; /* clusters that a work-item sorts, and how many do */
     la_uint numbered;      /* 1: numbers are wanted */
     la_uint finds;         /* LA_FINDS_* */
+    la_int side, lanes;    /* as DEPTH_TILE and DEPTH_LANES of the device that draws */
 } DepthParameters;
 
 /* Lists stay lists: */

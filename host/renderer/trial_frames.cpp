@@ -3,7 +3,6 @@
 #include <string>
 
 #include "compute/opencl/device_trial.hpp"
-#include "form_costs.hpp"
 #include "glpasses/objects.hpp"
 #include "lineatlas/renderer.hpp"
 #include "visibility/trial_lines.hpp"
@@ -11,9 +10,7 @@
 namespace lineatlas {
 namespace {
 
-/// `depth_by_gl`: kernels in a GPU's form name one of two triangles that meet in a texel, and
-/// rounding decides which, so C++ may name the other.
-void draw(const DeviceOptions& options, bool depth_by_gl) {
+void draw(const DeviceOptions& options) {
     const LineSet lines = trial_lines();
     const Camera camera = trial_camera(lines);
     Renderer renderer{options};
@@ -24,7 +21,6 @@ void draw(const DeviceOptions& options, bool depth_by_gl) {
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                    pixels.id());
     FrameOptions frame;
-    if (depth_by_gl) frame.forms.depth = StageForm::raster;
     for (const Method method : {Method::exact, Method::atlas}) {
         frame.method = method;
         renderer.draw(camera, frame, framebuffer.id());
@@ -38,7 +34,7 @@ bool try_frames(const compute::Device& device, interop::SharingMode mode) {
     const std::string sharing{interop::name_of(mode)};
     return compute::try_device(device, "frames by " + sharing, [&](DeviceOptions options) {
         options.interop = sharing;
-        draw(options, place_of(device.tuning()) == KernelPlace::gpu);
+        draw(options);
     });
 }
 

@@ -109,11 +109,28 @@ TEST_F(Discrete, AProgramsOwnDepthCrossesOnce) {
     EXPECT_LE(counts.bytes, pixels * (sizeof(float) + 1) + beside) << "and a layer of strokes";
 }
 
+TEST_F(Discrete, EveryKernelFindsWhatCppFinds) {
+    Renderer renderer{{.compute = "opencl", .compare_with = "cpp"}};
+    renderer.set_lines(scene_lines("ship"));
+    for (const Method method : {Method::atlas, Method::exact}) {
+        FrameOptions options;
+        options.method = method;
+        options.forms = {.atlas = StageForm::compute,
+                         .depth = StageForm::compute,
+                         .strokes = StageForm::compute};
+        options.style.fill.mode = FillMode::flat;
+        for (const NamedCamera& view : scene_cameras("ship", canvas_.size())) {
+            EXPECT_NO_THROW(renderer.draw(view.camera, options, canvas_.framebuffer()))
+                << view.name;
+        }
+    }
+}
+
 TEST_F(Discrete, RatesAreMeasuredOnceAndKept) {
     const TemporaryFolder cache;
     ::setenv("XDG_CACHE_HOME", cache.path().c_str(), 1);
     const auto rates = [] {
-        interop::Connection connection = interop::connect({.kind = "opencl"});
+        interop::Connection connection = interop::connect({.compute = "opencl"});
         take_counts();
         return interop::handover_rates(*connection.sharing);
     };

@@ -165,7 +165,9 @@ std::byte* memory_of_cpp(const Buffer& buffer) {
 }
 
 std::unique_ptr<Device> make_cpp_device(const Tuning& tuning) {
-    return std::make_unique<CppDevice>(tuning);
+    Tuning own = tuning;
+    own.depth_lanes = host_depth_lanes();
+    return std::make_unique<CppDevice>(own);
 }
 
 } // namespace lineatlas::compute

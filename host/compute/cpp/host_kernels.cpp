@@ -6,15 +6,18 @@ namespace lineatlas::compute {
 
 // kernels.cpp, compiled once for each instruction set.
 namespace baseline {
+extern const std::uint32_t depth_lanes;
 std::span<const HostKernel> kernels();
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 } // namespace baseline
 #ifdef LINEATLAS_X86
 namespace avx2 {
+extern const std::uint32_t depth_lanes;
 std::span<const HostKernel> kernels();
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 } // namespace avx2
 namespace avx512 {
+extern const std::uint32_t depth_lanes;
 std::span<const HostKernel> kernels();
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 } // namespace avx512
@@ -29,6 +32,7 @@ namespace {
 
 struct InstructionSet {
     std::string_view name;
+    std::uint32_t depth_lanes;
     std::span<const HostKernel> (*kernels)();
     std::uint64_t (*multiply_and_add)(std::uint64_t rounds, float& result);
 };
@@ -39,10 +43,12 @@ InstructionSet best_instruction_set() {
     const bool has_avx512 = __builtin_cpu_supports("avx512f") != 0 &&
                             __builtin_cpu_supports("avx512vl") != 0 &&
                             __builtin_cpu_supports("avx512dq") != 0;
-    if (has_avx512) return {"avx512", avx512::kernels, avx512::multiply_and_add};
-    if (__builtin_cpu_supports("avx2") != 0) return {"avx2", avx2::kernels, avx2::multiply_and_add};
+    if (has_avx512)
+        return {"avx512", avx512::depth_lanes, avx512::kernels, avx512::multiply_and_add};
+    if (__builtin_cpu_supports("avx2") != 0)
+        return {"avx2", avx2::depth_lanes, avx2::kernels, avx2::multiply_and_add};
 #endif
-    return {"baseline", baseline::kernels, baseline::multiply_and_add};
+    return {"baseline", baseline::depth_lanes, baseline::kernels, baseline::multiply_and_add};
 }
 
 const InstructionSet& instruction_set() {
@@ -73,6 +79,10 @@ std::span<const HostKernel> counted_kernels() {
 
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {
     return instruction_set().multiply_and_add(rounds, result);
+}
+
+std::uint32_t host_depth_lanes() {
+    return instruction_set().depth_lanes;
 }
 
 std::string_view host_instruction_set() {

@@ -34,6 +34,9 @@ std::span<const HostKernel> counted_kernels();
 /// Returns the number of operations. Adds to `result`, so that the compiler cannot leave them out.
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 
+/// DEPTH_LANES of these kernels.
+std::uint32_t host_depth_lanes();
+
 /// The name of that instruction set, such as "avx2".
 std::string_view host_instruction_set();
 

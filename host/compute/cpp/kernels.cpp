@@ -156,6 +156,10 @@ std::span<const HostKernel> kernels() {
 }
 
 #ifndef LINEATLAS_COUNTED
+extern const std::uint32_t depth_lanes = DEPTH_LANES;
+#endif
+
+#ifndef LINEATLAS_COUNTED
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {
     // Enough chains to hide that each waits for its last sum.
     constexpr int chains = 8, lanes = 16;

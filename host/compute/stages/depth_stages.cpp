@@ -56,7 +56,9 @@ void Stages::depth(const DepthArgs& args) {
                                .chunk = 0,
                                .chunks = 0,
                                .numbered = 0,
-                               .finds = LA_FINDS_DEPTHS};
+                               .finds = LA_FINDS_DEPTHS,
+                               .side = side,
+                               .lanes = static_cast<la_int>(tuning_.depth_lanes)};
     depth_.places.make_room(std::size_t{model.count} * sizeof(ClusterPlace));
     launch<kernels::depth_bin>(model.count, parameters, depth_, model, args);
     if (tiles.x <= 0 || tiles.y <= 0) return;
