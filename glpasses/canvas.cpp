@@ -9,16 +9,16 @@
 
 namespace lineatlas::gl {
 
-Canvas::Canvas(glm::ivec2 size, int bits)
+Canvas::Canvas(glm::ivec2 size, int bits, const Purpose& purpose)
     : size_(size), bits_(bits), texture_(Texture2D::create()), depth_(Renderbuffer::create()),
       framebuffer_(Framebuffer::create()) {
     if (size.x < 1 || size.y < 1) {
         throw UsageError("a picture of " + written_size(size) +
                          " can't be drawn: each side must have at least one pixel");
     }
-    check_side(size, purpose::picture);
-    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, purpose::picture);
-    allocate(depth_, GL_DEPTH_COMPONENT32F, size, purpose::picture);
+    check_side(size, purpose);
+    allocate(texture_, bits == 16 ? GL_RGBA16 : GL_RGBA8, size, purpose);
+    allocate(depth_, GL_DEPTH_COMPONENT32F, size, purpose);
     glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, texture_.id(), 0);
     glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                                    depth_.id());
@@ -26,6 +26,11 @@ Canvas::Canvas(glm::ivec2 size, int bits)
 
 void Canvas::clear(glm::vec4 color) {
     glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, glm::value_ptr(color));
+}
+
+void Canvas::clear_part(glm::ivec2 part) {
+    glClearTexSubImage(texture_.id(), 0, 0, 0, 0, part.x, part.y, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                       nullptr);
 }
 
 std::vector<std::uint8_t> Canvas::read(glm::ivec2 part) const {

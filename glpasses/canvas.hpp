@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/limits.hpp"
 #include "objects.hpp"
 
 namespace lineatlas::gl {
@@ -13,10 +14,13 @@ namespace lineatlas::gl {
 /// A picture to draw into, off screen: RGBA, premultiplied, with a depth buffer.
 class Canvas {
   public:
-    /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw.
-    explicit Canvas(glm::ivec2 size, int bits = 8);
+    /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw,
+    /// and tells by `purpose` what memory is missing for.
+    explicit Canvas(glm::ivec2 size, int bits = 8, const Purpose& purpose = purpose::picture);
 
     void clear(glm::vec4 color);
+    /// Clears the colour of a part in the lower left corner: nothing is there.
+    void clear_part(glm::ivec2 part);
     GLuint framebuffer() const { return framebuffer_.id(); }
     GLuint texture() const { return texture_.id(); } ///< its pixels, the lowest row first
     glm::ivec2 size() const { return size_; }

@@ -47,14 +47,15 @@ void LayerPass::draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part,
     lay(program_, texture_.id(), part, framebuffer, origin);
 }
 
-void LayerPass::draw_mean(GLuint texture, int scale, glm::ivec2 size, GLuint framebuffer,
+void LayerPass::draw_mean(const Canvas& canvas, int scale, glm::ivec2 size, GLuint framebuffer,
                           glm::ivec2 origin) {
     if (!mean_program_)
         mean_program_.emplace(std::vector<std::string_view>{"layer.vert", "layer.frag"}, "MEAN");
     mean_program_->use();
     mean_program_->set("scale", scale);
+    mean_program_->set("steps", canvas.bits() == 16 ? 65535.0F : 255.0F);
     mean_program_->set("origin", origin);
-    lay(*mean_program_, texture, {{0, 0}, size}, framebuffer, origin);
+    lay(*mean_program_, canvas.texture(), {{0, 0}, size}, framebuffer, origin);
 }
 
 void LayerPass::lay(const Program& program, GLuint texture, const TexelRectangle& part,

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "canvas.hpp"
 #include "core/screen_bounds.hpp"
 #include "objects.hpp"
 #include "program.hpp"
@@ -22,9 +23,9 @@ class LayerPass {
     void draw(GLuint pixels, glm::ivec2 size, const TexelRectangle& part, GLuint framebuffer,
               glm::ivec2 origin);
 
-    /// The same from a texture, of which the mean of each `scale` by `scale` texels makes a pixel,
-    /// rounded to 8 bits per channel. `size` pixels are laid, from the texture's lower left corner.
-    void draw_mean(GLuint texture, int scale, glm::ivec2 size, GLuint framebuffer,
+    /// The same from the lower left corner of a canvas, of which the mean of each `scale` by
+    /// `scale` texels makes a pixel, rounded to as many bits. `size`: in pixels.
+    void draw_mean(const Canvas& canvas, int scale, glm::ivec2 size, GLuint framebuffer,
                    glm::ivec2 origin);
 
   private:

@@ -7,16 +7,17 @@ layout(location = 0) out vec4 picture;
 
 #ifdef MEAN
 uniform int scale;    // texels per pixel and axis
+uniform float steps;  // the largest value of a channel
 uniform ivec2 origin; // of the layer in the framebuffer
 
 void main() {
     ivec2 first = (ivec2(gl_FragCoord.xy) - origin) * scale;
-    vec4 sum = vec4(0.0);
+    uvec4 sum = uvec4(0u);
     for (int y = 0; y < scale; ++y) {
-        for (int x = 0; x < scale; ++x) sum += round(255.0 * texelFetch(pixels, first + ivec2(x, y), 0));
+        for (int x = 0; x < scale; ++x) sum += uvec4(round(steps * texelFetch(pixels, first + ivec2(x, y), 0)));
     }
-    int count = scale * scale;
-    picture = floor((sum + float(count / 2)) / float(count)) / 255.0;
+    uint count = uint(scale * scale);
+    picture = vec4((sum + count / 2u) / count) / steps;
 }
 #else
 in vec2 place;

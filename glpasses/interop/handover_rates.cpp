@@ -26,7 +26,7 @@ struct Logarithms {
 };
 
 int rounded_log2(double value) {
-    return static_cast<int>(std::lround(std::log2(value)));
+    return static_cast<int>(std::lround(std::log2(std::max(value, 1e-6))));
 }
 
 double milliseconds_of(const auto& work) {

@@ -3,15 +3,21 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "core/limits.hpp"
 #include "core/paper.hpp"
 #include "core/tiles.hpp"
+#include "depth_stage.hpp"
 
 namespace lineatlas {
 
-gl::Canvas& Backdrop::texels(glm::ivec2 size) {
-    if (!texels_ || glm::any(glm::greaterThan(size, texels_->size())))
-        texels_.emplace(texels_ ? glm::max(size, texels_->size()) : size);
-    texels_->clear(glm::vec4{0});
+gl::Canvas& Backdrop::texels(glm::ivec2 size, GLuint framebuffer) {
+    const int bits = has_bytes(framebuffer) ? 8 : 16;
+    if (!texels_ || texels_->bits() != bits || glm::any(glm::greaterThan(size, texels_->size()))) {
+        const glm::ivec2 room = texels_ ? glm::max(size, texels_->size()) : size;
+        texels_.reset(); // before memory is asked for
+        texels_.emplace(room, bits, purpose::fill);
+    }
+    texels_->clear_part(size);
     return *texels_;
 }
 
@@ -22,17 +28,25 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
     const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
     const int scale = frame.depth_scale();
     frame.clock.gl("fill", [&] {
-        for (const PictureTile& part : make_tiles(frame.tile.size, most_fill_texels / scale)) {
-            gl::Canvas& canvas = texels(part.size * scale);
+        const std::vector<PictureTile> parts =
+            make_tiles(frame.tile.size, most_fill_texels / scale);
+        for (const PictureTile& part : parts) {
             const PictureTile tile{frame.tile.low + part.low, part.size};
+            std::vector<gl::TriangleRange> in_view;
+            if (parts.size() > 1)
+                in_view =
+                    pieces_in_view(frame.scene, tile_projection(frame.camera.clip_from_world(),
+                                                                tile, frame.camera.size));
+            gl::Canvas& canvas = texels(part.size * scale, frame.framebuffer);
             fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
-                             is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt, seen,
+                             is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt,
+                             parts.size() > 1 ? std::span<const gl::TriangleRange>{in_view} : seen,
                              {.clip_from_world = frame.camera.clip_from_world(),
                               .eye_from_world = frame.camera.view,
                               .viewport = part.size * scale,
                               .tile = tile_transform(tile, frame.camera.size)},
                              fill, canvas.framebuffer());
-            layer_->draw_mean(canvas.texture(), scale, part.size, frame.framebuffer,
+            layer_->draw_mean(canvas, scale, part.size, frame.framebuffer,
                               frame.camera.origin + part.low);
         }
     });

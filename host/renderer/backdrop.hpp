@@ -30,8 +30,8 @@ class Backdrop {
     void draw_paper(Frame& frame, const Paper& paper);
 
   private:
-    /// Nothing yet, in at least so many texels.
-    gl::Canvas& texels(glm::ivec2 size);
+    /// Where `size` texels are drawn for the framebuffer: nothing yet.
+    gl::Canvas& texels(glm::ivec2 size, GLuint framebuffer);
 
     // Made when first used.
     std::optional<gl::FillPass> fill_pass_;

@@ -54,6 +54,7 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
 }
 
 void FillStage::draw(Frame& frame, DepthStage& depth) {
+    if (frame.options.style.fill.mode == FillMode::none) return;
     if (!draws(frame, depth))
         return frame.backdrop.draw_fill(frame, frame.options.style.fill, depth.drawn());
     color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
@@ -61,6 +62,7 @@ void FillStage::draw(Frame& frame, DepthStage& depth) {
 }
 
 void FillStage::draw_tile(Frame& frame, DepthStage& depth) {
+    if (frame.options.style.fill.mode == FillMode::none) return;
     if (!draws(frame, depth)) {
         const Fill& fill = frame.options.style.fill;
         if (frame.tile.size == frame.camera.size) return frame.backdrop.draw_fill(frame, fill);

@@ -61,4 +61,20 @@ void check_depth_size(glm::ivec2 size) {
     gl::check_side(size, purpose::depth);
 }
 
+bool has_bytes(GLuint framebuffer) {
+    GLint buffer = GL_BACK_LEFT, type = GL_NONE, bits = 0;
+    if (framebuffer != 0) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glGetIntegerv(GL_DRAW_BUFFER, &buffer);
+        if (buffer == GL_NONE) return false;
+    }
+    const auto attachment = static_cast<GLenum>(buffer);
+    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
+                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_NONE) return false;
+    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
+                                               GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
+    return bits <= 8;
+}
+
 } // namespace lineatlas

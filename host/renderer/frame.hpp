@@ -25,7 +25,7 @@ struct Frame {
     const Camera& camera;         ///< a standard camera
     DepthMapping depth_mapping{}; ///< of the program's own depth, if there is one
     const FrameOptions& options;
-    AutomaticForms automatic; ///< of stages whose form `options` leave open
+    AutomaticForms automatic{}; ///< of stages whose form `options` leave open
     SceneBuffers& scene;
     GLuint framebuffer;
     PenTextures& pens;
@@ -68,5 +68,8 @@ void check_depth_size(glm::ivec2 size);
 
 /// Whether the framebuffer has depth, so that a depth test works.
 bool has_depth_attachment(GLuint framebuffer);
+
+/// Whether the picture has 8 bits per channel, as coverage has.
+bool has_bytes(GLuint framebuffer);
 
 } // namespace lineatlas

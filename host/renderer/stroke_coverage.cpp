@@ -17,23 +17,6 @@ constexpr std::uint32_t first_entry_capacity = 1U << 14U;
 // over the picture takes.
 constexpr std::uint64_t pixels_per_run = 128;
 
-/// Whether the picture has 8 bits per channel, as coverage has.
-bool has_bytes(GLuint framebuffer) {
-    GLint buffer = GL_BACK_LEFT, type = GL_NONE, bits = 0;
-    if (framebuffer != 0) {
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glGetIntegerv(GL_DRAW_BUFFER, &buffer);
-        if (buffer == GL_NONE) return false;
-    }
-    const auto attachment = static_cast<GLenum>(buffer);
-    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
-                                               GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    if (type == GL_NONE) return false;
-    glGetNamedFramebufferAttachmentParameteriv(framebuffer, attachment,
-                                               GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
-    return bits <= 8;
-}
-
 std::uint32_t end_kinds(const Pen& pen, bool hidden, bool exact_ends) {
     const bool fades = pen.cap == Cap::butt && pen.path_cap == Cap::round;
     return (pen.join == Join::round ? LA_STROKES_ROUND_JOINS : 0) |

@@ -21,6 +21,8 @@ void draw(const DeviceOptions& options) {
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                    pixels.id());
     FrameOptions frame;
+    frame.forms = {
+        .atlas = StageForm::compute, .depth = StageForm::compute, .strokes = StageForm::compute};
     for (const Method method : {Method::exact, Method::atlas}) {
         frame.method = method;
         renderer.draw(camera, frame, framebuffer.id());

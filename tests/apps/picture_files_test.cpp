@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "environment_variable.hpp"
 #include "tool.hpp"
 
 namespace lineatlas::test {
@@ -169,12 +170,10 @@ TEST_F(PictureFiles, ThatArePngNeedNoOpenImageIo) {
 // Mesa's zink draws GL by a Vulkan driver, here lavapipe: another rasterizer than llvmpipe's own.
 // The item buffer is left out, since each driver has a unit of glPolygonOffset of its own.
 TEST_F(PictureFiles, AreTheSameByZinkOnLavapipe) {
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    const EnvironmentVariable software{"LIBGL_ALWAYS_SOFTWARE", "1"};
     const auto under_zink = [](const auto& action) {
-        ::setenv("GALLIUM_DRIVER", "zink", 1);
-        auto result = action();
-        ::unsetenv("GALLIUM_DRIVER");
-        return result;
+        const EnvironmentVariable driver{"GALLIUM_DRIVER", "zink"};
+        return action();
     };
     const Result devices = under_zink([] { return run("devices"); });
     if (devices.output.find("GL: zink") == std::string::npos)
@@ -192,7 +191,6 @@ TEST_F(PictureFiles, AreTheSameByZinkOnLavapipe) {
             differ += std::abs(usual.values[i] - shown.values[i]) > 1.5F / 255 ? 1 : 0;
         EXPECT_LE(differ, 12) << options; // 4 pixels
     }
-    ::unsetenv("LIBGL_ALWAYS_SOFTWARE");
 }
 
 } // namespace

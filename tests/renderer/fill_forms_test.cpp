@@ -120,7 +120,7 @@ TEST_P(FillForms, EveryDepthScaleAndMethodColoursTheSame) {
 TEST_P(FillForms, BothFormsDrawTheSamePicture) {
     for (const char* scene : {"clevis", "house", "ship", "office"}) {
         renderer_.set_lines(scene_lines(scene));
-        for (const int scale : {1, 2}) {
+        for (const int scale : {1, 2, 3, 4}) {
             const Camera camera = scene_cameras(scene, {400, 300}).front().camera;
             const auto drawn = [&](StageForm form) {
                 return draw(renderer_, camera, options_of(FillMode::toon, form, scale));
@@ -128,7 +128,8 @@ TEST_P(FillForms, BothFormsDrawTheSamePicture) {
             const double differ =
                 share_beyond(drawn(StageForm::raster), drawn(StageForm::compute), 1);
             std::cout << scene << " at " << scale << ": " << 100 * differ << " % of the pixels\n";
-            EXPECT_LE(differ, 1e-3) << scene << " at " << scale;
+            // One texel of 4,000 lies on a border that the two rasterizers judge otherwise.
+            EXPECT_LE(differ, 2.5e-4 * scale * scale) << scene << " at " << scale;
         }
     }
 }
@@ -136,11 +137,22 @@ TEST_P(FillForms, BothFormsDrawTheSamePicture) {
 TEST_P(FillForms, LargePicturesOfGlHaveNoSeams) {
     // More texels than are drawn at once.
     renderer_.set_lines(scene_lines("clevis"));
-    const Camera camera = scene_cameras("clevis", {1500, 200}).front().camera;
+    const Camera camera = scene_cameras("clevis", {2040, 200}).front().camera;
     const auto drawn = [&](StageForm form) {
         return draw(renderer_, camera, options_of(FillMode::lambert, form, 4));
     };
-    EXPECT_LE(share_beyond(drawn(StageForm::raster), drawn(StageForm::compute), 1), 1e-3);
+    const Picture by_gl = drawn(StageForm::raster), by_kernels = drawn(StageForm::compute);
+    EXPECT_LE(share_beyond(by_gl, by_kernels, 1), 1e-3);
+    // The columns beside the border between both parts.
+    std::size_t covered = 0, differ = 0;
+    for (int i = 0; i < 2 * camera.size.y; ++i) {
+        const auto at = static_cast<std::size_t>((i / 2) * camera.size.x + 1023 + i % 2) * 4;
+        const std::span<const std::uint8_t> p{&by_gl[at], 4}, q{&by_kernels[at], 4};
+        covered += q[3] != 0 ? 1 : 0;
+        differ += compare_bytes(p, q, 1).beyond > 0 ? 1 : 0;
+    }
+    EXPECT_GT(covered, 50U);
+    EXPECT_LE(differ, 2U);
 }
 
 TEST_P(FillForms, HiddenAndMovedObjectsAreFollowed) {
