@@ -81,9 +81,8 @@ OfIslands::OfIslands(std::size_t islands, const std::vector<std::uint32_t>& isla
 }
 
 Islands::Islands(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts,
-                 std::span<const std::uint32_t> materials, std::span<const std::uint32_t> objects,
-                 double reach)
-    : mesh_(mesh), mesh_edges_(edges), materials_(materials), objects_(objects) {
+                 const TriangleOwners& owners, double reach)
+    : mesh_(mesh), mesh_edges_(edges), owners_(owners) {
     const std::uint32_t count = find_islands(parts, reach);
     if (count < 2) return;
     is_copy_.assign(count, false);
@@ -186,8 +185,9 @@ void Islands::find_copies(std::vector<std::uint32_t> alike) {
 
 bool Islands::are_same(std::uint32_t original, std::uint32_t island) const {
     return have_same_triangles(original, island) && have_same_edges(original, island) &&
-           have_same_owners(materials_, original, island) &&
-           have_same_owners(objects_, original, island);
+           have_same_owners(owners_.materials, original, island) &&
+           have_same_owners(owners_.bodies, original, island) &&
+           have_same_owners(owners_.objects, original, island);
 }
 
 bool Islands::have_same_triangles(std::uint32_t original, std::uint32_t island) const {

@@ -34,21 +34,27 @@ class OfIslands {
     std::vector<std::uint32_t> first_, things_, places_;
 };
 
+/// What each triangle belongs to, by which lines between parts are found.
+struct TriangleOwners {
+    std::span<const std::uint32_t> materials; ///< materials_of()
+    std::span<const std::uint32_t> bodies;    ///< bodies_of()
+    std::span<const std::uint32_t> objects;   ///< objects_of(); may be empty
+};
+
 /// Islands of a model: parts that may touch, and no others. Nothing that is found between parts
 /// (seams, intersections, what is buried) lies between two islands. So it is found once for islands
 /// that are copies of each other, such as the machines of a hall.
 ///
 /// An island is a copy of an earlier one if it has the same triangles and edges in the same order,
 /// its corners are those of the other one in another place, within what floats round, and the same
-/// triangles are of one material. It may be turned, but not mirrored or scaled. Islands with
-/// polylines are no copies.
+/// triangles are of one material and of one body. It may be turned, but not mirrored or scaled.
+/// Islands with polylines are no copies.
 class Islands {
   public:
-    /// `materials`, `objects`: of triangles; `objects` may be empty. `reach`: parts whose boxes are
-    /// no farther apart are of one island. `mesh` and `edges` must outlive this object.
+    /// `reach`: parts whose boxes are no farther apart are of one island. `mesh`, `edges` and what
+    /// `owners` names must outlive this object.
     Islands(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts,
-            std::span<const std::uint32_t> materials, std::span<const std::uint32_t> objects,
-            double reach);
+            const TriangleOwners& owners, double reach);
 
     bool has_copies() const { return !copies_.empty(); }
 
@@ -101,7 +107,7 @@ class Islands {
 
     const WeldedMesh& mesh_;
     const std::vector<MeshEdge>& mesh_edges_;
-    std::span<const std::uint32_t> materials_, objects_;
+    TriangleOwners owners_;
     double rounding_ = 0; ///< of a distance between two vertices
     std::vector<std::uint32_t> island_of_vertex_;
     OfIslands vertices_, triangles_, edges_;

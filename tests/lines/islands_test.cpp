@@ -55,13 +55,15 @@ struct Found {
     WeldedMesh mesh;
     std::vector<MeshEdge> edges;
     MeshParts parts;
-    std::vector<std::uint32_t> materials;
+    std::vector<std::uint32_t> materials, bodies;
     Islands islands;
 
     explicit Found(const Mesh& from, double reach = 0.1)
         : mesh(weld(from)), edges(mesh_edges(mesh)), parts(find_parts(mesh)),
           materials(materials_of(from.groups, mesh, {})),
-          islands(mesh, edges, parts, materials, {}, reach) {}
+          bodies(bodies_of(from.groups, mesh, materials, parts.of_vertex)),
+          islands(mesh, edges, parts, {.materials = materials, .bodies = bodies, .objects = {}},
+                  reach) {}
 
     /// Vertices of copies.
     std::ptrdiff_t copied() const {
@@ -117,6 +119,17 @@ TEST(Islands, OfOtherMaterialsAreNoCopies) {
     Mesh all_brass;
     add(all_brass, machine(at({11, 0, 0})), "brass");
     EXPECT_EQ(Found(both(one, all_brass)).copied(), corners) << "one material is like another";
+}
+
+/// Parts without a material are bodies of their own, and parts of one material are one body.
+TEST(Islands, WithAndWithoutAMaterialAreNoCopies) {
+    const Mesh named = machine(at({0, 0, 0})), other_named = machine(at({-11, 0, 0}));
+    Mesh unnamed = machine(at({11, 0, 0})), other_unnamed = machine(at({22, 0, 0}));
+    unnamed.groups = other_unnamed.groups = {{.object = "machine", .material = ""}};
+    EXPECT_EQ(Found(both(named, unnamed)).copied(), 0);
+    EXPECT_EQ(Found(both(unnamed, other_unnamed)).copied(), corners);
+    const Mesh all = both(both(named, unnamed), both(other_named, other_unnamed));
+    EXPECT_EQ(Found(all).copied(), 2 * corners);
 }
 
 TEST(Islands, WithPolylinesAreNoCopies) {
