@@ -113,6 +113,26 @@ TEST(Islands, ThatDifferInShapeAreNoCopies) {
     EXPECT_EQ(Found(both(one, other_diagonal)).copied(), 0) << "other order";
 }
 
+/// A plate with a pad sunk into its top, or into its bottom.
+Mesh plate(bool at_top, const glm::mat4& place) {
+    const float z = at_top ? 2 : -1;
+    Mesh mesh;
+    add(mesh, test::moved(box({0, 0, 0}, {1000, 1000, 3}), place));
+    add(mesh, test::moved(box({400, 300, z}, {500, 350, z + 2}), place));
+    return mesh;
+}
+
+/// Far from zero, where floats are 1/64 apart, distances along a plate say little of heights.
+TEST(Islands, ThatAreFlatAndFarFromZeroDifferBySides) {
+    const glm::mat4 there = at({2e5F, -1e5F, 3e4F}), beside = at({1.9e5F, 1.7e5F, 2e4F}),
+                    turned = at({1.8e5F, 1.6e5F, 1e4F}, 2.1F);
+    const Mesh one = plate(true, there);
+    EXPECT_EQ(Found(both(one, plate(false, beside)), 2).copied(), 0);
+    EXPECT_EQ(Found(both(one, plate(false, turned)), 2).copied(), 0);
+    EXPECT_EQ(Found(both(one, plate(true, beside)), 2).copied(), corners / 2);
+    EXPECT_EQ(Found(both(one, plate(true, turned)), 2).copied(), corners / 2);
+}
+
 TEST(Islands, OfOtherMaterialsAreNoCopies) {
     const Mesh one = machine(at({0, 0, 0}));
     EXPECT_EQ(Found(both(one, machine(at({11, 0, 0}), "brass"))).copied(), 0);
