@@ -139,12 +139,13 @@ class Extraction {
         reach(0.2F);
         // Parts of either that run on one thread run beside the other.
         do_both([&] { classify_edges(); }, [&] { find_tree(); });
-        if (islands_ && islands_->tell_apart(kinds_)) grow_trees(islands_->copied_triangles());
+        tell_copies_apart();
         reach(0.5F);
         leave_out_seams();
         reach(0.7F);
         find_undesigned();
         find_shape();
+        tell_copies_apart(); // creases that went may have had bends near a limit
         do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
         reach(0.8F);
@@ -264,6 +265,11 @@ class Extraction {
             .materials = material_, .bodies = body_, .objects = object_of_triangle_};
         islands_.emplace(welded_, edges_, parts_, owners, reach);
         if (!islands_->has_copies()) islands_.reset();
+    }
+
+    /// Which lines between parts are doubled depends on the kinds of edges.
+    void tell_copies_apart() {
+        if (islands_ && islands_->tell_apart(kinds_)) grow_trees(islands_->copied_triangles());
     }
 
     /// `left_out`: triangles; may be empty.
