@@ -197,24 +197,55 @@ bool is_among(const std::array<glm::vec3, 2>& line,
     });
 }
 
-TEST(Islands, HaveTheLinesOfTheirOriginals) {
-    const std::array places{at({0, 0, 0}), at({11, 3, 5}, 2.1F), at({-20, 7, 3}, -0.4F)};
-    Mesh mesh = machine(places[0]);
-    for (std::size_t i = 1; i < places.size(); ++i) mesh = both(mesh, machine(places[i]));
-    const Found found{mesh};
-    ASSERT_EQ(found.copied(), 2 * corners);
-    const LineSet all = extract_lines(mesh);
-    for (const LineKind kind : {LineKind::crease, LineKind::intersection}) {
-        const auto first = lines_of(all, kind, places[0]);
-        ASSERT_FALSE(first.empty());
-        for (const glm::mat4& place : places) {
-            const auto own = lines_of(all, kind, place);
-            EXPECT_EQ(own.size(), first.size());
-            for (const auto& line : own) EXPECT_TRUE(is_among(line, first));
+/// Each machine has the lines that it has alone.
+void expect_lines_of_each(const std::vector<Mesh>& machines, const std::vector<glm::mat4>& places,
+                          const LineSet& all) {
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+        const LineSet alone = extract_lines(machines[i]);
+        for (const LineKind kind : {LineKind::crease, LineKind::intersection}) {
+            const auto own = lines_of(all, kind, places[i]);
+            const auto expected = lines_of(alone, kind, places[i]);
+            ASSERT_FALSE(expected.empty());
+            EXPECT_EQ(own.size(), expected.size()) << i;
+            for (const auto& line : own) EXPECT_TRUE(is_among(line, expected)) << i;
+            for (const auto& line : expected) EXPECT_TRUE(is_among(line, own)) << i;
         }
     }
-    EXPECT_GT(all.left_out.cut_seams, 0U);
-    EXPECT_EQ(all.left_out.cut_seams % 3, 0U);
+}
+
+Mesh all_of(const std::vector<Mesh>& machines) {
+    Mesh mesh = machines.front();
+    for (std::size_t i = 1; i < machines.size(); ++i) mesh = both(mesh, machines[i]);
+    return mesh;
+}
+
+TEST(Islands, HaveTheLinesThatTheyHaveAlone) {
+    const std::vector places{at({0, 0, 0}), at({11, 3, 5}, 2.1F), at({-20, 7, 3}, -0.4F)};
+    std::vector<Mesh> machines;
+    for (const glm::mat4& place : places) machines.push_back(machine(place));
+    const Mesh mesh = all_of(machines);
+    ASSERT_EQ(Found(mesh).copied(), 2 * corners);
+    const LineSet all = extract_lines(mesh);
+    expect_lines_of_each(machines, places, all);
+    const std::size_t cut_seams = extract_lines(machines[0]).left_out.cut_seams;
+    EXPECT_GT(cut_seams, 0U);
+    EXPECT_EQ(all.left_out.cut_seams, 3 * cut_seams);
+}
+
+/// More originals of one size than are compared: the others have their lines without them.
+TEST(Islands, OfManyShapesHaveTheLinesThatTheyHaveAlone) {
+    constexpr int shapes = 10, compared = 8;
+    std::vector<glm::mat4> places;
+    std::vector<Mesh> machines;
+    for (int i = 0; i < 2 * shapes; ++i) {
+        const int shape = i % shapes;
+        places.push_back(at({12 * (i % 5), 12 * (i / 5), 0}, i < shapes ? 0.0F : 0.7F,
+                            {1, 1, 1 + 0.02F * static_cast<float>(shape)}));
+        machines.push_back(machine(places.back()));
+    }
+    const Mesh mesh = all_of(machines);
+    EXPECT_EQ(Found(mesh).copied(), compared * corners);
+    expect_lines_of_each(machines, places, extract_lines(mesh));
 }
 
 /// Lines of intersections lie in their triangles, in copies as well.
