@@ -17,15 +17,21 @@
 namespace lineatlas {
 namespace {
 
-constexpr int tile = 16; ///< pixels
+constexpr int least_tile = 16; ///< pixels
+
+/// A picture has no more tiles along a side: what the lists of triangles take grows with the number
+/// of tiles, not with that of pixels.
+constexpr int most_tiles = 256;
 
 /// A grid of tiles over the picture.
 struct Tiles {
-    explicit Tiles(glm::ivec2 size) : count((size + (tile - 1)) / tile) {}
+    explicit Tiles(glm::ivec2 size)
+        : side(std::max(least_tile, rounded_up(std::max(size.x, size.y), most_tiles))),
+          count{rounded_up(size.x, side), rounded_up(size.y, side)} {}
 
     /// The column and row of the tile at a place, or of the nearest tile.
     glm::ivec2 at(glm::dvec2 pixels) const {
-        const glm::dvec2 place = glm::floor(pixels / static_cast<double>(tile));
+        const glm::dvec2 place = glm::floor(pixels / static_cast<double>(side));
         return glm::ivec2{glm::clamp(place, glm::dvec2{0}, glm::dvec2{count - 1})};
     }
     std::size_t index(glm::ivec2 at) const {
@@ -36,12 +42,16 @@ struct Tiles {
         return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y);
     }
 
+    int side; ///< pixels
     glm::ivec2 count;
+
+  private:
+    static int rounded_up(int pixels, int by) { return (pixels + by - 1) / by; }
 };
 
 /// Numbers by tiles, in ascending order in each.
 struct TileLists {
-    std::vector<std::uint32_t> first; ///< per tile, and one behind the last, into `list`
+    std::vector<std::size_t> first; ///< per tile, and one behind the last, into `list`
     std::vector<std::uint32_t> list;
 
     std::span<std::uint32_t> of(std::size_t tile) {
@@ -52,12 +62,12 @@ struct TileLists {
 /// `for_each_tile(i, each)` calls `each` with the tiles of number i.
 template <class ForEachTile>
 TileLists list_by_tiles(std::size_t tiles, std::size_t numbers, const ForEachTile& for_each_tile) {
-    TileLists lists{std::vector<std::uint32_t>(tiles + 1, 0), {}};
+    TileLists lists{std::vector<std::size_t>(tiles + 1, 0), {}};
     for (std::size_t i = 0; i < numbers; ++i)
         for_each_tile(i, [&](std::size_t at) { ++lists.first[at + 1]; });
     std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
     lists.list.resize(lists.first.back());
-    std::vector<std::uint32_t> next = lists.first;
+    std::vector<std::size_t> next = lists.first;
     for (std::size_t i = 0; i < numbers; ++i) {
         if (i % usual_piece == 0) ask_between_pieces();
         for_each_tile(

@@ -81,9 +81,8 @@ OfIslands::OfIslands(std::size_t islands, const std::vector<std::uint32_t>& isla
 }
 
 Islands::Islands(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts,
-                 std::span<const std::uint32_t> materials, std::span<const std::uint32_t> objects,
-                 double reach)
-    : mesh_(mesh), mesh_edges_(edges), materials_(materials), objects_(objects) {
+                 const TriangleOwners& owners, double reach)
+    : mesh_(mesh), mesh_edges_(edges), owners_(owners) {
     const std::uint32_t count = find_islands(parts, reach);
     if (count < 2) return;
     is_copy_.assign(count, false);
@@ -186,8 +185,9 @@ void Islands::find_copies(std::vector<std::uint32_t> alike) {
 
 bool Islands::are_same(std::uint32_t original, std::uint32_t island) const {
     return have_same_triangles(original, island) && have_same_edges(original, island) &&
-           have_same_owners(materials_, original, island) &&
-           have_same_owners(objects_, original, island);
+           have_same_owners(owners_.materials, original, island) &&
+           have_same_owners(owners_.bodies, original, island) &&
+           have_same_owners(owners_.objects, original, island);
 }
 
 bool Islands::have_same_triangles(std::uint32_t original, std::uint32_t island) const {
@@ -232,7 +232,7 @@ bool Islands::have_same_owners(std::span<const std::uint32_t> owners, std::uint3
                               });
 }
 
-/// Each is the one farthest from the point, line and plane of those before.
+/// Each is the one farthest from the point and the line of those before.
 Islands::Corners Islands::far_corners(std::uint32_t island) const {
     const auto farthest = [&](const auto& distance) {
         std::uint32_t best = 0;
@@ -251,33 +251,32 @@ Islands::Corners Islands::far_corners(std::uint32_t island) const {
     const glm::dvec3 along = at(island, second) - origin;
     const std::uint32_t third =
         farthest([&](glm::dvec3 point) { return glm::length(glm::cross(along, point - origin)); });
-    const glm::dvec3 normal = glm::cross(along, at(island, third) - origin);
-    const std::uint32_t fourth =
-        farthest([&](glm::dvec3 point) { return std::abs(glm::dot(normal, point - origin)); });
-    return {0, second, third, fourth};
+    return {0, second, third};
 }
 
-/// Six times that of the corners' tetrahedron.
-double Islands::volume(std::uint32_t island, const Corners& corners) const {
+/// Nothing if the corners are so near to one line that they give no frame.
+std::optional<Islands::Frame> Islands::frame_of(std::uint32_t island,
+                                                const Corners& corners) const {
     const glm::dvec3 origin = at(island, corners[0]);
-    return glm::dot(at(island, corners[1]) - origin,
-                    glm::cross(at(island, corners[2]) - origin, at(island, corners[3]) - origin));
+    const glm::dvec3 along = at(island, corners[1]) - origin;
+    const glm::dvec3 normal = glm::cross(along, at(island, corners[2]) - origin);
+    constexpr double least = 1e-3; // distance of the third corner, as a share of that of the second
+    if (!(glm::length(normal) > least * glm::dot(along, along))) return {};
+    const glm::dvec3 x = glm::normalize(along), z = glm::normalize(normal);
+    return Frame{origin, {x, glm::cross(z, x), z}};
 }
 
-/// Distances from four corners say where a point is. They say nothing of mirroring; the volume
-/// between the corners does, unless all lies in a plane.
+/// Both frames are right-handed, so that mirrored islands differ. No vertex is farther from the
+/// first corner than the second, or from the line of both than the third. So an error of a corner
+/// moves no vertex by more than it moves the corner: what a vertex may differ by is about its own
+/// rounding and those of three corners.
 bool Islands::have_same_shape(const Corners& corners, std::uint32_t original,
                               std::uint32_t island) const {
-    const double size = glm::distance(at(original, corners[0]), at(original, corners[1]));
-    const double volume_a = volume(original, corners), volume_b = volume(island, corners);
-    if (std::abs(volume_a) > 8 * rounding_ * size * size && (volume_a > 0) != (volume_b > 0))
-        return false;
+    const std::optional<Frame> one = frame_of(original, corners), other = frame_of(island, corners);
+    if (!one || !other) return false;
     for (std::uint32_t k = 0; k < vertices_[original].size(); ++k) {
-        for (const std::uint32_t corner : corners) {
-            const double a = glm::distance(at(original, k), at(original, corner));
-            const double b = glm::distance(at(island, k), at(island, corner));
-            if (std::abs(a - b) > rounding_) return false;
-        }
+        const glm::dvec3 apart = glm::abs(one->at(at(original, k)) - other->at(at(island, k)));
+        if (!(std::max({apart.x, apart.y, apart.z}) <= 4 * rounding_)) return false;
     }
     return true;
 }

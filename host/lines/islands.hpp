@@ -7,6 +7,9 @@
 #include <span>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include "edges.hpp"
 #include "intersections.hpp"
 #include "lineatlas/lines.hpp"
@@ -34,21 +37,27 @@ class OfIslands {
     std::vector<std::uint32_t> first_, things_, places_;
 };
 
+/// What each triangle belongs to, by which lines between parts are found.
+struct TriangleOwners {
+    std::span<const std::uint32_t> materials; ///< materials_of()
+    std::span<const std::uint32_t> bodies;    ///< bodies_of()
+    std::span<const std::uint32_t> objects;   ///< objects_of(); may be empty
+};
+
 /// Islands of a model: parts that may touch, and no others. Nothing that is found between parts
 /// (seams, intersections, what is buried) lies between two islands. So it is found once for islands
 /// that are copies of each other, such as the machines of a hall.
 ///
 /// An island is a copy of an earlier one if it has the same triangles and edges in the same order,
 /// its corners are those of the other one in another place, within what floats round, and the same
-/// triangles are of one material. It may be turned, but not mirrored or scaled. Islands with
-/// polylines are no copies.
+/// triangles are of one material and of one body. It may be turned, but not mirrored or scaled.
+/// Islands with polylines are no copies, nor are those that are hardly wider than a line.
 class Islands {
   public:
-    /// `materials`, `objects`: of triangles; `objects` may be empty. `reach`: parts whose boxes are
-    /// no farther apart are of one island. `mesh` and `edges` must outlive this object.
+    /// `reach`: parts whose boxes are no farther apart are of one island. `mesh`, `edges` and what
+    /// `owners` names must outlive this object.
     Islands(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges, const MeshParts& parts,
-            std::span<const std::uint32_t> materials, std::span<const std::uint32_t> objects,
-            double reach);
+            const TriangleOwners& owners, double reach);
 
     bool has_copies() const { return !copies_.empty(); }
 
@@ -76,8 +85,13 @@ class Islands {
         std::uint32_t vertices = 0, triangles = 0, edges = 0;
         auto operator<=>(const Size&) const = default;
     };
-    /// Four vertices that lie far from each other, by their places.
-    using Corners = std::array<std::uint32_t, 4>;
+    /// Three vertices that lie far from each other, by their places.
+    using Corners = std::array<std::uint32_t, 3>;
+    struct Frame {
+        glm::dvec3 origin;
+        glm::dmat3 axes; ///< orthonormal and right-handed
+        glm::dvec3 at(glm::dvec3 point) const { return (point - origin) * axes; }
+    };
 
     std::uint32_t find_islands(const MeshParts& parts, double reach);
     std::vector<Size> sizes(std::uint32_t count) const;
@@ -89,19 +103,19 @@ class Islands {
     bool have_same_owners(std::span<const std::uint32_t> owners, std::uint32_t original,
                           std::uint32_t island) const;
     Corners far_corners(std::uint32_t island) const;
+    std::optional<Frame> frame_of(std::uint32_t island, const Corners& corners) const;
     bool have_same_shape(const Corners& corners, std::uint32_t original,
                          std::uint32_t island) const;
     glm::dvec3 at(std::uint32_t island, std::uint32_t place) const {
         return mesh_.vertices[vertices_[island][place]];
     }
-    double volume(std::uint32_t island, const Corners& corners) const;
     void mark_copies();
     Intersection in_copy(const Intersection& one, std::uint32_t island) const;
     EdgePlace in_copy(const EdgePlace& place, std::uint32_t island) const;
 
     const WeldedMesh& mesh_;
     const std::vector<MeshEdge>& mesh_edges_;
-    std::span<const std::uint32_t> materials_, objects_;
+    TriangleOwners owners_;
     double rounding_ = 0; ///< of a distance between two vertices
     std::vector<std::uint32_t> island_of_vertex_;
     OfIslands vertices_, triangles_, edges_;

@@ -139,12 +139,13 @@ class Extraction {
         reach(0.2F);
         // Parts of either that run on one thread run beside the other.
         do_both([&] { classify_edges(); }, [&] { find_tree(); });
-        if (islands_ && islands_->tell_apart(kinds_)) grow_trees(islands_->copied_triangles());
+        tell_copies_apart();
         reach(0.5F);
         leave_out_seams();
         reach(0.7F);
         find_undesigned();
         find_shape();
+        tell_copies_apart(); // creases that went may have had bends near a limit
         do_both([&] { find_smooth_patches(); }, [&] { leave_out_buried(); });
         collect_lines();
         reach(0.8F);
@@ -250,6 +251,7 @@ class Extraction {
         if (!has_parts_ && std::ranges::find(is_open_, true) == is_open_.end()) return;
         object_of_triangle_ = objects_of(welded_);
         material_ = materials_of(mesh_.groups, welded_, object_of_triangle_);
+        body_ = bodies_of(mesh_.groups, welded_, material_, parts_.of_vertex);
         find_islands();
         grow_trees(islands_ ? islands_->copied_triangles() : std::vector<bool>{});
     }
@@ -259,8 +261,15 @@ class Extraction {
         const double diagonal = diagonal_of(welded_.vertices);
         const double reach =
             std::max(island_reach * diagonal, 2 * contact_of(diagonal, welded_.precision));
-        islands_.emplace(welded_, edges_, parts_, material_, object_of_triangle_, reach);
+        const TriangleOwners owners{
+            .materials = material_, .bodies = body_, .objects = object_of_triangle_};
+        islands_.emplace(welded_, edges_, parts_, owners, reach);
         if (!islands_->has_copies()) islands_.reset();
+    }
+
+    /// Which lines between parts are doubled depends on the kinds of edges.
+    void tell_copies_apart() {
+        if (islands_ && islands_->tell_apart(kinds_)) grow_trees(islands_->copied_triangles());
     }
 
     /// `left_out`: triangles; may be empty.
@@ -271,18 +280,14 @@ class Extraction {
     void leave_out_seams() {
         if (!trees_ || options_.crease) return; // with a crease angle every edge counts
         const std::int64_t start = host_nanoseconds();
-        std::vector<std::uint32_t> body = material_, closed_part;
-        const auto above = material_.empty() ? 0U : *std::ranges::max_element(material_) + 1;
-        closed_part.reserve(body.size());
-        for (std::size_t i = 0; i < body.size(); ++i) {
-            const std::uint32_t part = parts_.of_vertex[welded_.triangles[i].x];
-            const bool named =
-                !mesh_.groups.empty() && !mesh_.groups[welded_.triangle_group[i]].material.empty();
-            if (!named) body[i] = above + part;
+        std::vector<std::uint32_t> closed_part;
+        closed_part.reserve(welded_.triangles.size());
+        for (const glm::uvec3& t : welded_.triangles) {
+            const std::uint32_t part = parts_.of_vertex[t.x];
             closed_part.push_back(is_open_[part] ? BoxTree::nobody : part);
         }
         seams_ = find_seams(welded_, edges_, normals_, kinds_, *trees_,
-                            {.material = material_, .body = body, .closed_part = closed_part},
+                            {.material = material_, .body = body_, .closed_part = closed_part},
                             islands_ ? islands_->copied_edges() : std::vector<bool>{});
         if (islands_) islands_->add_copies(seams_);
         for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -619,7 +624,7 @@ class Extraction {
         const auto empty = [](auto&... each) { ((each = std::decay_t<decltype(each)>{}), ...); };
         islands_.reset();
         empty(edges_, first_face_, normals_, bends_, kinds_, parts_, trees_, object_of_triangle_,
-              material_, seams_, undesigned_, ridges_);
+              material_, body_, seams_, undesigned_, ridges_);
     }
 
     LineSet assemble() {
@@ -682,6 +687,7 @@ class Extraction {
     std::optional<TriangleTrees> trees_;
     std::vector<std::uint32_t> object_of_triangle_;
     std::vector<std::uint32_t> material_; ///< of triangles: materials_of()
+    std::vector<std::uint32_t> body_;     ///< of triangles: bodies_of()
     std::optional<Islands> islands_;      ///< if some are copies
     Seams seams_;
     std::vector<std::uint32_t> undesigned_; ///< triangles

@@ -28,9 +28,7 @@ struct Seams {
 /// Which triangles that meet in a plane are one surface.
 struct SeamSurfaces {
     std::span<const std::uint32_t> material; ///< per triangle, for boundaries
-    /// Per triangle, for creases: its material, or without one its part, because bodies of an
-    /// assembly that end in one plane are each drawn.
-    std::span<const std::uint32_t> body;
+    std::span<const std::uint32_t> body;     ///< per triangle, for creases: bodies_of()
     /// Per triangle the owner in the tree whose triangles need no look: its own part if that is
     /// closed, else BoxTree::nobody.
     std::span<const std::uint32_t> closed_part;

@@ -53,6 +53,18 @@ std::vector<std::uint32_t> materials_of(const std::vector<MeshGroup>& groups,
     return materials;
 }
 
+std::vector<std::uint32_t> bodies_of(const std::vector<MeshGroup>& groups, const WeldedMesh& mesh,
+                                     const std::vector<std::uint32_t>& materials,
+                                     const std::vector<std::uint32_t>& part_of_vertex) {
+    std::vector<std::uint32_t> bodies = materials;
+    const auto above = materials.empty() ? 0U : *std::ranges::max_element(materials) + 1;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const bool named = !groups.empty() && !groups[mesh.triangle_group[i]].material.empty();
+        if (!named) bodies[i] = above + part_of_vertex[mesh.triangles[i].x];
+    }
+    return bodies;
+}
+
 std::vector<std::uint32_t> objects_of(const WeldedMesh& mesh) {
     std::vector<std::uint32_t> objects;
     if (mesh.object_ends.size() < 2) return objects;

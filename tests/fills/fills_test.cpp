@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "fills/face_looks.hpp"
+#include "fills/seen_triangles.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/fills.hpp"
 #include "lineatlas/progress.hpp"
@@ -134,6 +135,21 @@ TEST(Fills, LightMakesAreasOfTheirOwn) {
     }
     EXPECT_EQ(tones.size(), 3U);
     EXPECT_TRUE(find_fills(lines, camera, {}).empty());
+}
+
+/// With tiles of 16 pixels these triangles would be more than 2^32 times in the lists of tiles.
+TEST(Fills, TheLargestPictureHasItsNearestTriangles) {
+    LineSet lines;
+    constexpr std::uint32_t count = 257;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float z = 0.01F * static_cast<float>(i);
+        lines.vertices.insert(lines.vertices.end(), {{-20, -20, z}, {20, -20, z}, {0, 40, z}});
+        lines.triangles.push_back(3 * i + glm::uvec3{0, 1, 2});
+    }
+    Camera camera = plan();
+    camera.size = glm::ivec2{65536};
+    const std::vector<glm::dvec2> points{{1, 1}, {32000, 17}, {65535.5, 65535.5}};
+    EXPECT_EQ(seen_triangles(lines, camera, points), std::vector(points.size(), count - 1));
 }
 
 TEST(Fills, FromWithinARoomAllOfThePictureIsFilled) {

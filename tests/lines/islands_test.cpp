@@ -55,13 +55,15 @@ struct Found {
     WeldedMesh mesh;
     std::vector<MeshEdge> edges;
     MeshParts parts;
-    std::vector<std::uint32_t> materials;
+    std::vector<std::uint32_t> materials, bodies;
     Islands islands;
 
     explicit Found(const Mesh& from, double reach = 0.1)
         : mesh(weld(from)), edges(mesh_edges(mesh)), parts(find_parts(mesh)),
           materials(materials_of(from.groups, mesh, {})),
-          islands(mesh, edges, parts, materials, {}, reach) {}
+          bodies(bodies_of(from.groups, mesh, materials, parts.of_vertex)),
+          islands(mesh, edges, parts, {.materials = materials, .bodies = bodies, .objects = {}},
+                  reach) {}
 
     /// Vertices of copies.
     std::ptrdiff_t copied() const {
@@ -111,12 +113,43 @@ TEST(Islands, ThatDifferInShapeAreNoCopies) {
     EXPECT_EQ(Found(both(one, other_diagonal)).copied(), 0) << "other order";
 }
 
+/// A plate with a pad sunk into its top, or into its bottom.
+Mesh plate(bool at_top, const glm::mat4& place) {
+    const float z = at_top ? 2 : -1;
+    Mesh mesh;
+    add(mesh, test::moved(box({0, 0, 0}, {1000, 1000, 3}), place));
+    add(mesh, test::moved(box({400, 300, z}, {500, 350, z + 2}), place));
+    return mesh;
+}
+
+/// Far from zero, where floats are 1/64 apart, distances along a plate say little of heights.
+TEST(Islands, ThatAreFlatAndFarFromZeroDifferBySides) {
+    const glm::mat4 there = at({2e5F, -1e5F, 3e4F}), beside = at({1.9e5F, 1.7e5F, 2e4F}),
+                    turned = at({1.8e5F, 1.6e5F, 1e4F}, 2.1F);
+    const Mesh one = plate(true, there);
+    EXPECT_EQ(Found(both(one, plate(false, beside)), 2).copied(), 0);
+    EXPECT_EQ(Found(both(one, plate(false, turned)), 2).copied(), 0);
+    EXPECT_EQ(Found(both(one, plate(true, beside)), 2).copied(), corners / 2);
+    EXPECT_EQ(Found(both(one, plate(true, turned)), 2).copied(), corners / 2);
+}
+
 TEST(Islands, OfOtherMaterialsAreNoCopies) {
     const Mesh one = machine(at({0, 0, 0}));
     EXPECT_EQ(Found(both(one, machine(at({11, 0, 0}), "brass"))).copied(), 0);
     Mesh all_brass;
     add(all_brass, machine(at({11, 0, 0})), "brass");
     EXPECT_EQ(Found(both(one, all_brass)).copied(), corners) << "one material is like another";
+}
+
+/// Parts without a material are bodies of their own, and parts of one material are one body.
+TEST(Islands, WithAndWithoutAMaterialAreNoCopies) {
+    const Mesh named = machine(at({0, 0, 0})), other_named = machine(at({-11, 0, 0}));
+    Mesh unnamed = machine(at({11, 0, 0})), other_unnamed = machine(at({22, 0, 0}));
+    unnamed.groups = other_unnamed.groups = {{.object = "machine", .material = ""}};
+    EXPECT_EQ(Found(both(named, unnamed)).copied(), 0);
+    EXPECT_EQ(Found(both(unnamed, other_unnamed)).copied(), corners);
+    const Mesh all = both(both(named, unnamed), both(other_named, other_unnamed));
+    EXPECT_EQ(Found(all).copied(), 2 * corners);
 }
 
 TEST(Islands, WithPolylinesAreNoCopies) {
@@ -164,24 +197,55 @@ bool is_among(const std::array<glm::vec3, 2>& line,
     });
 }
 
-TEST(Islands, HaveTheLinesOfTheirOriginals) {
-    const std::array places{at({0, 0, 0}), at({11, 3, 5}, 2.1F), at({-20, 7, 3}, -0.4F)};
-    Mesh mesh = machine(places[0]);
-    for (std::size_t i = 1; i < places.size(); ++i) mesh = both(mesh, machine(places[i]));
-    const Found found{mesh};
-    ASSERT_EQ(found.copied(), 2 * corners);
-    const LineSet all = extract_lines(mesh);
-    for (const LineKind kind : {LineKind::crease, LineKind::intersection}) {
-        const auto first = lines_of(all, kind, places[0]);
-        ASSERT_FALSE(first.empty());
-        for (const glm::mat4& place : places) {
-            const auto own = lines_of(all, kind, place);
-            EXPECT_EQ(own.size(), first.size());
-            for (const auto& line : own) EXPECT_TRUE(is_among(line, first));
+/// Each machine has the lines that it has alone.
+void expect_lines_of_each(const std::vector<Mesh>& machines, const std::vector<glm::mat4>& places,
+                          const LineSet& all) {
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+        const LineSet alone = extract_lines(machines[i]);
+        for (const LineKind kind : {LineKind::crease, LineKind::intersection}) {
+            const auto own = lines_of(all, kind, places[i]);
+            const auto expected = lines_of(alone, kind, places[i]);
+            ASSERT_FALSE(expected.empty());
+            EXPECT_EQ(own.size(), expected.size()) << i;
+            for (const auto& line : own) EXPECT_TRUE(is_among(line, expected)) << i;
+            for (const auto& line : expected) EXPECT_TRUE(is_among(line, own)) << i;
         }
     }
-    EXPECT_GT(all.left_out.cut_seams, 0U);
-    EXPECT_EQ(all.left_out.cut_seams % 3, 0U);
+}
+
+Mesh all_of(const std::vector<Mesh>& machines) {
+    Mesh mesh = machines.front();
+    for (std::size_t i = 1; i < machines.size(); ++i) mesh = both(mesh, machines[i]);
+    return mesh;
+}
+
+TEST(Islands, HaveTheLinesThatTheyHaveAlone) {
+    const std::vector places{at({0, 0, 0}), at({11, 3, 5}, 2.1F), at({-20, 7, 3}, -0.4F)};
+    std::vector<Mesh> machines;
+    for (const glm::mat4& place : places) machines.push_back(machine(place));
+    const Mesh mesh = all_of(machines);
+    ASSERT_EQ(Found(mesh).copied(), 2 * corners);
+    const LineSet all = extract_lines(mesh);
+    expect_lines_of_each(machines, places, all);
+    const std::size_t cut_seams = extract_lines(machines[0]).left_out.cut_seams;
+    EXPECT_GT(cut_seams, 0U);
+    EXPECT_EQ(all.left_out.cut_seams, 3 * cut_seams);
+}
+
+/// More originals of one size than are compared: the others have their lines without them.
+TEST(Islands, OfManyShapesHaveTheLinesThatTheyHaveAlone) {
+    constexpr int shapes = 10, compared = 8;
+    std::vector<glm::mat4> places;
+    std::vector<Mesh> machines;
+    for (int i = 0; i < 2 * shapes; ++i) {
+        const int shape = i % shapes;
+        places.push_back(at({12 * (i % 5), 12 * (i / 5), 0}, i < shapes ? 0.0F : 0.7F,
+                            {1, 1, 1 + 0.02F * static_cast<float>(shape)}));
+        machines.push_back(machine(places.back()));
+    }
+    const Mesh mesh = all_of(machines);
+    EXPECT_EQ(Found(mesh).copied(), compared * corners);
+    expect_lines_of_each(machines, places, extract_lines(mesh));
 }
 
 /// Lines of intersections lie in their triangles, in copies as well.
