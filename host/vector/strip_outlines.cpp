@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <ranges>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -162,9 +163,10 @@ class SilhouetteEnds {
         : pieces_(pieces), grid_(picture) {
         for (const Strip& strip : strips) {
             if (strip.kind != LineKind::silhouette || strip.closed || strip.steps.empty()) continue;
-            const StripStep &first = strip.steps.front(), &last = strip.steps.back();
-            add({start_of(first, pieces), end_of(first, pieces)});
-            add({end_of(last, pieces), start_of(last, pieces)});
+            add_end(start_of(strip.steps.front(), pieces), strip.steps,
+                    [&](const StripStep& step) { return end_of(step, pieces); });
+            add_end(end_of(strip.steps.back(), pieces), std::views::reverse(strip.steps),
+                    [&](const StripStep& step) { return start_of(step, pieces); });
         }
     }
 
@@ -183,14 +185,24 @@ class SilhouetteEnds {
     /// A stretch is this much too long or too short at most, pixels, and ends where the edge is so
     /// far from the silhouette at most. The background is looked for half a pixel beside lines.
     static constexpr double longest_touch = 32, widest_touch = 1;
+    /// Points nearer to an end than this tell no direction, pixels.
+    static constexpr double least_way = 1;
 
     struct End {
-        glm::dvec2 at, before; ///< the last points of a silhouette
+        glm::dvec2 at, before; ///< the last point of a silhouette, and one further inwards
     };
 
-    void add(const End& end) {
-        grid_.insert(end.at, end.at, static_cast<std::uint32_t>(ends_.size()));
-        ends_.push_back(end);
+    /// Adds an end unless the whole silhouette is within `least_way` of it. steps: from the end
+    /// inwards. inner_end: gives the inner end of a step.
+    template <class Steps, class InnerEnd>
+    void add_end(glm::dvec2 at, const Steps& steps, const InnerEnd& inner_end) {
+        for (const StripStep& step : steps) {
+            const glm::dvec2 before = inner_end(step);
+            if (glm::distance(at, before) < least_way) continue;
+            grid_.insert(at, at, static_cast<std::uint32_t>(ends_.size()));
+            ends_.push_back({at, before});
+            return;
+        }
     }
 
     glm::dvec2 point_at(const Strip& strip, double place) const {
