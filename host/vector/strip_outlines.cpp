@@ -264,10 +264,21 @@ class SilhouetteEnds {
     /// Moves the ends of the stretches of a strip to silhouettes that end beside them on the strip.
     void draw_near(Strip& strip) {
         if (strip.kind == LineKind::silhouette) return;
-        for (Stretch& stretch : strip.outlines) {
-            const double from = nearest(strip, stretch.from), to = nearest(strip, stretch.to);
-            if (from < to) stretch = {from, to};
+        constexpr double far = std::numeric_limits<double>::infinity();
+        std::vector<Stretch> moved;
+        for (auto stretch = strip.outlines.begin(); stretch != strip.outlines.end(); ++stretch) {
+            const auto next = std::next(stretch);
+            const double low = moved.empty() ? -far : moved.back().to;
+            const double high = next == strip.outlines.end() ? far : next->from;
+            const double from = std::max(nearest(strip, stretch->from), low);
+            const double to = std::min(nearest(strip, stretch->to), high);
+            const Stretch now = from < to ? Stretch{from, to} : *stretch;
+            if (!moved.empty() && now.from <= low)
+                moved.back().to = now.to;
+            else
+                moved.push_back(now);
         }
+        strip.outlines = std::move(moved);
     }
 
   private:
