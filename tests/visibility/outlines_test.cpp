@@ -287,7 +287,7 @@ TEST(Outlines, RimsOfThroughHolesHaveNone) {
 TEST(Outlines, EndWhereTheGroundBesideALineChanges) {
     // A beam along x, and below it a window that a wire closes on one side.
     Mesh mesh;
-    const MeshGroup group{.object = "frame"};
+    const MeshGroup group{.object = "frame", .material = ""};
     add_box(mesh, {-3, 0, -0.1F}, {3, 1, 0.1F}, group);            // the beam
     add_box(mesh, {-3, -2, -0.1F}, {-2.5F, 0, 0.1F}, group);       // a post
     add_box(mesh, {-3, -2.4F, -0.1F}, {0, -2, 0.1F}, group);       // a sill
