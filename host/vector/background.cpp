@@ -23,6 +23,15 @@ double texel_for(glm::ivec2 picture) {
     return std::max(1.0, static_cast<double>(std::max(picture.x, picture.y)) / most_texels);
 }
 
+/// The part of a triangle beyond the near plane.
+struct Polygon {
+    std::array<glm::dvec2, 4> corners;
+    std::size_t count = 0;
+
+    void add(glm::dvec2 corner) { corners[count++] = corner; }
+    std::span<const glm::dvec2> places() const { return std::span{corners}.first(count); }
+};
+
 /// Where faces lie on the grid, beyond the near plane.
 class Projector {
   public:
@@ -38,18 +47,17 @@ class Projector {
         if (before_near(clip) < 0 || !(clip.w > 0)) return std::nullopt;
         return half_size_ * glm::dvec2{1 + clip.x / clip.w, 1 - clip.y / clip.w};
     }
-    /// The part of a triangle beyond the near plane.
-    std::vector<glm::dvec2> polygon(const std::array<glm::dvec4, 3>& corners) const {
-        std::vector<glm::dvec2> places;
+    Polygon polygon(const std::array<glm::dvec4, 3>& corners) const {
+        Polygon places;
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec4 a = corners[i], b = corners[(i + 1) % 3];
             const double from = before_near(a), to = before_near(b);
-            if (const auto at = place(a)) places.push_back(*at);
+            if (const auto at = place(a)) places.add(*at);
             if ((from < 0) == (to < 0)) continue;
             const glm::dvec4 crossing = a + (b - a) * (from / (from - to));
             if (crossing.w > 0)
-                places.push_back(half_size_ * glm::dvec2{1 + crossing.x / crossing.w,
-                                                         1 - crossing.y / crossing.w});
+                places.add(half_size_ *
+                           glm::dvec2{1 + crossing.x / crossing.w, 1 - crossing.y / crossing.w});
         }
         return places;
     }
@@ -75,18 +83,23 @@ Range texels_in(double low, double high, Range limits) {
     return {texel(low), texel(high)};
 }
 
-/// Calls span(row, texels) for what a convex polygon covers of some rows. Polygons with an edge in
-/// common leave no texel between them.
-template <class Span>
-void for_each_span(std::span<const glm::dvec2> polygon, Range rows, int width, const Span& span) {
+/// The rows that a polygon may cover, of `height`.
+Range rows_of(std::span<const glm::dvec2> polygon, int height) {
     constexpr double far = std::numeric_limits<double>::infinity();
     double top = far, bottom = -far;
     for (const glm::dvec2 corner : polygon) {
         top = std::min(top, corner.y);
         bottom = std::max(bottom, corner.y);
     }
-    const Range own = texels_in(top, bottom, rows);
-    for (int y = own.first; y < own.end; ++y) {
+    return texels_in(top, bottom, {0, height});
+}
+
+/// Calls span(row, texels) for what a convex polygon covers of some rows. Polygons with an edge in
+/// common leave no texel between them.
+template <class Span>
+void for_each_span(std::span<const glm::dvec2> polygon, Range rows, int width, const Span& span) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    for (int y = rows.first; y < rows.end; ++y) {
         const double middle = y + 0.5;
         double low = far, high = -far;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -134,26 +147,30 @@ void Background::cover(const LineSet& lines, const Camera& camera) {
     for_each_index(places.size(), [&](std::size_t i) {
         places[i] = projector.place(projector.clip(lines.vertices[i]));
     });
-    const auto fill = [&](std::span<const glm::dvec2> polygon, Range rows) {
-        for_each_span(polygon, rows, size_.x, [&](int y, Range texels) {
-            std::fill(&texels_[row(y)] + texels.first, &texels_[row(y)] + texels.end,
-                      Ground::model);
-        });
+    const auto polygon_of = [&](const glm::uvec3& corners) -> Polygon {
+        const auto &a = places[corners.x], &b = places[corners.y], &c = places[corners.z];
+        if (!a && !b && !c) return {};
+        if (a && b && c) return {.corners = {*a, *b, *c}, .count = 3};
+        return projector.polygon({projector.clip(lines.vertices[corners.x]),
+                                  projector.clip(lines.vertices[corners.y]),
+                                  projector.clip(lines.vertices[corners.z])});
     };
+    std::vector<Range> rows(lines.triangles.size());
+    for_each_index(rows.size(), [&](std::size_t i) {
+        rows[i] = rows_of(polygon_of(lines.triangles[i]).places(), size_.y);
+    });
     constexpr std::size_t band = 256; // rows; every band looks at all triangles
     for_each_piece(
         static_cast<std::size_t>(size_.y), band, [&](std::size_t first, std::size_t end) {
-            const Range rows{static_cast<int>(first), static_cast<int>(end)};
-            for (const glm::uvec3& corners : lines.triangles) {
-                const auto &a = places[corners.x], &b = places[corners.y], &c = places[corners.z];
-                if (a && b && c) {
-                    fill(std::array{*a, *b, *c}, rows);
-                } else {
-                    fill(projector.polygon({projector.clip(lines.vertices[corners.x]),
-                                            projector.clip(lines.vertices[corners.y]),
-                                            projector.clip(lines.vertices[corners.z])}),
-                         rows);
-                }
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const Range own{std::max(rows[i].first, static_cast<int>(first)),
+                                std::min(rows[i].end, static_cast<int>(end))};
+                if (own.first >= own.end) continue;
+                for_each_span(polygon_of(lines.triangles[i]).places(), own, size_.x,
+                              [&](int y, Range texels) {
+                                  std::fill(&texels_[row(y)] + texels.first,
+                                            &texels_[row(y)] + texels.end, Ground::model);
+                              });
             }
         });
 }

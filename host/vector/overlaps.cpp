@@ -183,7 +183,7 @@ std::vector<std::size_t> claim_order(const std::vector<VectorPath>& paths,
 
 class Overlaps {
   public:
-    explicit Overlaps(glm::dvec2 picture) : grid_(picture) {}
+    explicit Overlaps(glm::dvec2 picture) : grid_(picture), end_grid_(picture) {}
 
     /// Lets a path claim its place, and appends the parts that may be drawn to `result`.
     void claim(VectorPath&& path, std::vector<VectorPath>& result) {
@@ -201,10 +201,10 @@ class Overlaps {
             for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
             passed += length;
         }
-        if (covered.empty()) return result.push_back(std::move(path));
+        if (covered.empty()) return keep(std::move(path), result);
         join_spans(covered, shortest_rest);
         keep_touching_ends(path, passed, covered);
-        if (covered.empty()) return result.push_back(std::move(path));
+        if (covered.empty()) return keep(std::move(path), result);
         std::vector<Span> kept = rest_of(covered, passed);
         std::erase_if(kept, [](Span span) { return span.to - span.from < shortest_rest; });
         forget_dropped(first, kept);
@@ -219,7 +219,7 @@ class Overlaps {
             if (span.to - span.from >= longest_touch || 3 * (span.to - span.from) >= length)
                 return false;
             return piece.face != KnownSurfaces::none ||
-                   (piece.edge != VectorPiece::none && is_joint(end.at));
+                   (piece.edge != VectorPiece::none && is_joint(end.at, span));
         };
         if (covered.front().from < shortest_rest &&
             touches(path.pieces.front(), path.points.front(), covered.front()))
@@ -229,13 +229,20 @@ class Overlaps {
             covered.pop_back();
     }
 
-    /// Whether a line that is drawn ends at a place.
-    bool is_joint(glm::dvec2 at) {
+    /// Whether a line over `span` may end beside drawn ones: where a path ends, or after a shorter
+    /// way than a rest at any vertex.
+    bool is_joint(glm::dvec2 at, Span span) {
         constexpr double same_point = 1e-6; // pixels
+        const auto is_there = [&](glm::dvec2 place) {
+            return glm::distance(place, at) < same_point;
+        };
+        if (span.to - span.from >= shortest_rest)
+            return std::ranges::any_of(end_grid_.near(at, at, same_point),
+                                       [&](std::uint32_t i) { return is_there(ends_[i]); });
         return std::ranges::any_of(grid_.near(at, at, same_point), [&](std::uint32_t i) {
             const Line& line = lines_[i];
-            return glm::distance(line.a, at) < same_point ||
-                   glm::distance(line.a + line.along * line.length, at) < same_point;
+            return line.length > 0 &&
+                   (is_there(line.a) || is_there(line.a + line.along * line.length));
         });
     }
 
@@ -273,9 +280,8 @@ class Overlaps {
         }
     }
 
-    static void add_parts(const VectorPath& path, const std::vector<Span>& covered,
-                          const std::vector<Span>& kept, double length,
-                          std::vector<VectorPath>& result) {
+    void add_parts(const VectorPath& path, const std::vector<Span>& covered,
+                   const std::vector<Span>& kept, double length, std::vector<VectorPath>& result) {
         std::vector<VectorPath> parts;
         for (const Span span : kept) parts.push_back(part_of(path, span.from, span.to));
         const bool over_seam = path.closed && parts.size() > 1 && covered.front().from > 0 &&
@@ -285,12 +291,23 @@ class Overlaps {
             append(parts.back(), parts.front());
             parts.erase(parts.begin());
         }
-        for (VectorPath& part : parts) result.push_back(std::move(part));
+        for (VectorPath& part : parts) keep(std::move(part), result);
     }
 
-    SegmentGrid grid_;
-    std::vector<Line> lines_;     ///< lines that are drawn already
-    std::vector<double> middles_; ///< middles of the lines of the current path, from its start
+    /// Appends a path that is drawn.
+    void keep(VectorPath&& path, std::vector<VectorPath>& result) {
+        if (!path.closed && !path.points.empty())
+            for (const VectorPoint* end : {&path.points.front(), &path.points.back()}) {
+                end_grid_.insert(end->at, end->at, static_cast<std::uint32_t>(ends_.size()));
+                ends_.push_back(end->at);
+            }
+        result.push_back(std::move(path));
+    }
+
+    SegmentGrid grid_, end_grid_;
+    std::vector<Line> lines_;      ///< lines that are drawn already
+    std::vector<glm::dvec2> ends_; ///< of paths that are drawn already
+    std::vector<double> middles_;  ///< middles of the lines of the current path, from its start
 };
 
 } // namespace

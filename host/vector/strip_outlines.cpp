@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <ranges>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -101,48 +102,139 @@ void add_remainders(Strip& strip) {
     }
 }
 
-/// How much of a stretch lies beside which background, in pixels.
-struct Beside {
-    double around = 0, enclosed = 0;
+/// The step at a place of a strip, or the first one.
+std::vector<StripStep>::const_iterator step_at(const Strip& strip, double place) {
+    const auto after = std::ranges::upper_bound(strip.steps, place, {}, &StripStep::start);
+    return after == strip.steps.begin() ? after : std::prev(after);
+}
+
+/// A part of a stretch with the same ground beside it all along: `model` if no background is there.
+struct Run {
+    double from, to; ///< pixels from the strip's start; beyond its end across the seam
+    Ground ground;
 };
 
-/// Adds what lies beside a part of a segment, by shares of its way.
-void add_beside(const ScreenSegment& segment, double from, double to, const Background& background,
-                Beside& beside) {
-    constexpr double step = 4; // pixels
+void add_run(std::vector<Run>& runs, Run run) {
+    if (!runs.empty() && runs.back().ground == run.ground)
+        runs.back().to = run.to;
+    else
+        runs.push_back(run);
+}
+
+/// The ground beside a line, on either side.
+Ground beside(glm::dvec2 place, glm::dvec2 off, const Background& background) {
+    const Ground left = background.at(place + off), right = background.at(place - off);
+    for (const Ground ground : {Ground::around, Ground::enclosed})
+        if (left == ground || right == ground) return ground;
+    return Ground::model;
+}
+
+/// Adds the runs of a stretch, with `shift` added to their places.
+void add_runs(const Strip& strip, Stretch stretch, double shift, const Pieces& pieces,
+              const Background& background, std::vector<Run>& runs) {
     // Far enough for a texel that is not on the line.
     const double reach = 1.5 * background.texel();
-    const glm::dvec2 way = segment.q.at - segment.p.at;
-    const glm::dvec2 off = reach / segment.length * glm::dvec2{-way.y, way.x};
-    const double length = (to - from) * segment.length;
-    const double count = std::ceil(length / step);
-    for (double i = 0.5; i < count; ++i) {
-        const glm::dvec2 place = segment.p.at + way * (from + (to - from) * i / count);
-        const Ground left = background.at(place + off), right = background.at(place - off);
-        if (left == Ground::around || right == Ground::around)
-            beside.around += length / count;
-        else if (left == Ground::enclosed || right == Ground::enclosed)
-            beside.enclosed += length / count;
+    for (auto step = step_at(strip, stretch.from); step != strip.steps.end(); ++step) {
+        if (step->start >= stretch.to) break;
+        const ScreenSegment& segment = pieces.screen[step->screen];
+        if (!(segment.length > 0)) continue;
+        const glm::dvec2 way = (segment.q.at - segment.p.at) / segment.length;
+        const glm::dvec2 off = reach * glm::dvec2{-way.y, way.x};
+        const double from = std::max(stretch.from - step->start, 0.0);
+        const double to = std::min(stretch.to - step->start, segment.length);
+        const double count = std::ceil((to - from) / background.texel());
+        for (double i = 0; i < count; ++i) {
+            const double start = from + (to - from) * i / count;
+            const double end = from + (to - from) * (i + 1) / count;
+            const double middle = 0.5 * (start + end);
+            const glm::dvec2 place =
+                segment.p.at + way * (step->reversed ? segment.length - middle : middle);
+            add_run(runs, {shift + step->start + start, shift + step->start + end,
+                           beside(place, off, background)});
+        }
     }
 }
 
-bool is_rim_of_hole(const Strip& strip, Stretch stretch, const Pieces& pieces,
-                    const Background& background) {
-    Beside beside;
-    for (const StripStep& step : strip.steps) {
-        const ScreenSegment& segment = pieces.screen[step.screen];
-        if (!(segment.length > 0)) continue;
-        double from = std::clamp((stretch.from - step.start) / segment.length, 0.0, 1.0);
-        double to = std::clamp((stretch.to - step.start) / segment.length, 0.0, 1.0);
-        if (!(from < to)) continue;
-        if (step.reversed) {
-            from = 1 - from;
-            to = 1 - to;
-            std::swap(from, to);
-        }
-        add_beside(segment, from, to, background, beside);
+/// Gives the place of a run to its neighbours, half to each, and joins these if they are alike.
+void remove_run(std::vector<Run>& runs, std::vector<Run>::iterator run) {
+    const auto next = std::next(run);
+    if (run == runs.begin()) {
+        next->from = run->from;
+    } else if (next == runs.end()) {
+        std::prev(run)->to = run->to;
+    } else if (std::prev(run)->ground == next->ground) {
+        std::prev(run)->to = next->to;
+        runs.erase(run, std::next(next));
+        return;
+    } else {
+        std::prev(run)->to = next->from = 0.5 * (run->from + run->to);
     }
-    return beside.enclosed > beside.around;
+    runs.erase(run);
+}
+
+/// Lets runs without background, and then runs shorter than `least`, follow their neighbours.
+void remove_short(std::vector<Run>& runs, double least) {
+    for (std::size_t i = 0; i < runs.size() && runs.size() > 1;) {
+        if (runs[i].ground == Ground::model)
+            remove_run(runs, runs.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+    while (runs.size() > 1) {
+        const auto shortest =
+            std::ranges::min_element(runs, {}, [](const Run& run) { return run.to - run.from; });
+        if (shortest->to - shortest->from >= least) return;
+        remove_run(runs, shortest);
+    }
+}
+
+/// Removes what is beside background that the model surrounds.
+void leave_out_rims(Strip& strip, const Pieces& pieces, const Background& background) {
+    const double least = 8 * background.texel(); // shorter changes of the ground do not count
+    std::vector<Stretch> stretches = std::exchange(strip.outlines, {});
+    if (stretches.empty()) return;
+    // The stretches on either side of a seam are one.
+    const bool over_seam =
+        strip.closed && stretches.front().from <= 0 && stretches.back().to >= strip.length;
+    const auto keep = [&](Stretch stretch, std::vector<Run>& runs) {
+        remove_short(runs, least);
+        if (runs.empty()) return strip.outlines.push_back(stretch);
+        runs.front().from = stretch.from;
+        runs.back().to = stretch.to;
+        for (const Run& run : runs) {
+            if (run.ground == Ground::enclosed) continue;
+            if (run.from < strip.length || !over_seam)
+                strip.outlines.push_back(
+                    {run.from, over_seam ? std::min(run.to, strip.length) : run.to});
+            if (over_seam && run.to > strip.length)
+                strip.outlines.push_back(
+                    {std::max(run.from, strip.length) - strip.length, run.to - strip.length});
+        }
+    };
+    if (over_seam) {
+        const Stretch first = stretches.front(), last = stretches.back();
+        std::vector<Run> runs;
+        add_runs(strip, last, 0, pieces, background, runs);
+        if (stretches.size() > 1) {
+            add_runs(strip, first, strip.length, pieces, background, runs);
+            keep({last.from, first.to + strip.length}, runs);
+            stretches.erase(stretches.begin());
+        } else if (runs.size() > 1 && runs.front().ground == runs.back().ground) {
+            const double start = runs.front().to;
+            runs.back().to = start + strip.length;
+            runs.erase(runs.begin());
+            keep({start, start + strip.length}, runs);
+        } else {
+            keep(last, runs);
+        }
+        stretches.pop_back();
+    }
+    for (const Stretch stretch : stretches) {
+        std::vector<Run> runs;
+        add_runs(strip, stretch, 0, pieces, background, runs);
+        keep(stretch, runs);
+    }
+    std::ranges::sort(strip.outlines, {}, &Stretch::from);
 }
 
 glm::dvec2 start_of(const StripStep& step, const Pieces& pieces) {
@@ -162,19 +254,31 @@ class SilhouetteEnds {
         : pieces_(pieces), grid_(picture) {
         for (const Strip& strip : strips) {
             if (strip.kind != LineKind::silhouette || strip.closed || strip.steps.empty()) continue;
-            const StripStep &first = strip.steps.front(), &last = strip.steps.back();
-            add({start_of(first, pieces), end_of(first, pieces)});
-            add({end_of(last, pieces), start_of(last, pieces)});
+            add_end(start_of(strip.steps.front(), pieces), strip.steps,
+                    [&](const StripStep& step) { return end_of(step, pieces); });
+            add_end(end_of(strip.steps.back(), pieces), std::views::reverse(strip.steps),
+                    [&](const StripStep& step) { return start_of(step, pieces); });
         }
     }
 
     /// Moves the ends of the stretches of a strip to silhouettes that end beside them on the strip.
     void draw_near(Strip& strip) {
         if (strip.kind == LineKind::silhouette) return;
-        for (Stretch& stretch : strip.outlines) {
-            const double from = nearest(strip, stretch.from), to = nearest(strip, stretch.to);
-            if (from < to) stretch = {from, to};
+        constexpr double far = std::numeric_limits<double>::infinity();
+        std::vector<Stretch> moved;
+        for (auto stretch = strip.outlines.begin(); stretch != strip.outlines.end(); ++stretch) {
+            const auto next = std::next(stretch);
+            const double low = moved.empty() ? -far : moved.back().to;
+            const double high = next == strip.outlines.end() ? far : next->from;
+            const double from = std::max(nearest(strip, stretch->from), low);
+            const double to = std::min(nearest(strip, stretch->to), high);
+            const Stretch now = from < to ? Stretch{from, to} : *stretch;
+            if (!moved.empty() && now.from <= low)
+                moved.back().to = now.to;
+            else
+                moved.push_back(now);
         }
+        strip.outlines = std::move(moved);
     }
 
   private:
@@ -183,19 +287,28 @@ class SilhouetteEnds {
     /// A stretch is this much too long or too short at most, pixels, and ends where the edge is so
     /// far from the silhouette at most. The background is looked for half a pixel beside lines.
     static constexpr double longest_touch = 32, widest_touch = 1;
+    /// Points nearer to an end than this tell no direction, pixels.
+    static constexpr double least_way = 1;
 
     struct End {
-        glm::dvec2 at, before; ///< the last points of a silhouette
+        glm::dvec2 at, before; ///< the last point of a silhouette, and one further inwards
     };
 
-    void add(const End& end) {
-        grid_.insert(end.at, end.at, static_cast<std::uint32_t>(ends_.size()));
-        ends_.push_back(end);
+    /// Adds an end unless the whole silhouette is within `least_way` of it. steps: from the end
+    /// inwards. inner_end: gives the inner end of a step.
+    template <class Steps, class InnerEnd>
+    void add_end(glm::dvec2 at, const Steps& steps, const InnerEnd& inner_end) {
+        for (const StripStep& step : steps) {
+            const glm::dvec2 before = inner_end(step);
+            if (glm::distance(at, before) < least_way) continue;
+            grid_.insert(at, at, static_cast<std::uint32_t>(ends_.size()));
+            ends_.push_back({at, before});
+            return;
+        }
     }
 
     glm::dvec2 point_at(const Strip& strip, double place) const {
-        const auto after = std::ranges::upper_bound(strip.steps, place, {}, &StripStep::start);
-        const StripStep& step = after == strip.steps.begin() ? *after : *std::prev(after);
+        const StripStep& step = *step_at(strip, place);
         const double length = pieces_.screen[step.screen].length;
         const double share = length > 0 ? (place - step.start) / length : 0;
         return glm::mix(start_of(step, pieces_), end_of(step, pieces_), share);
@@ -212,16 +325,16 @@ class SilhouetteEnds {
         if (!(place > 0 && place < strip.length)) return place;
         const glm::dvec2 beside = point_at(strip, place);
         double best = place, least = longest_touch;
-        for (const StripStep& step : strip.steps) {
-            const double length = pieces_.screen[step.screen].length;
-            if (!(length > 0) || step.start > place + least || step.start + length < place - least)
-                continue;
-            const glm::dvec2 a = start_of(step, pieces_), b = end_of(step, pieces_);
+        for (auto step = step_at(strip, place - least); step != strip.steps.end(); ++step) {
+            if (step->start > place + least) break;
+            const double length = pieces_.screen[step->screen].length;
+            if (!(length > 0)) continue;
+            const glm::dvec2 a = start_of(*step, pieces_), b = end_of(*step, pieces_);
             for (const std::uint32_t i : grid_.near(a, b, reach)) {
                 const End& end = ends_[i];
                 const double share =
                     std::clamp(glm::dot(end.at - a, b - a) / (length * length), 0.0, 1.0);
-                const double at = step.start + share * length;
+                const double at = step->start + share * length;
                 if (std::abs(at - place) >= least || !is_beside(beside, end) ||
                     glm::distance(glm::mix(a, b, share), end.at) > reach)
                     continue;
@@ -249,9 +362,7 @@ void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
     for (Strip& strip : strips) {
         add_stretches(strip, pieces, parts, picture.y);
         tidy(strip);
-        std::erase_if(strip.outlines, [&](Stretch stretch) {
-            return is_rim_of_hole(strip, stretch, pieces, background);
-        });
+        leave_out_rims(strip, pieces, background);
         ends.draw_near(strip);
         add_remainders(strip);
     }

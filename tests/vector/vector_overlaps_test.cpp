@@ -91,6 +91,18 @@ TEST(Overlaps, OnlyTheCommonPartGoes) {
     EXPECT_EQ(paths[2].pieces.back().segment, 1U);
 }
 
+TEST(Overlaps, AnEdgeMayRunAlongAnotherOnlyToItsEnd) {
+    for (const bool at_end : {false, true}) {
+        VectorPath edge = path_through(LineKind::crease, true, {{20, 80}, {30, 10}, {50, 10}});
+        for (VectorPiece& piece : edge.pieces) piece.edge = 1;
+        std::vector<glm::dvec2> line{{10, 10}, {50, 10}};
+        if (!at_end) line.emplace_back(90, 10);
+        const std::vector<VectorPath> paths =
+            without_overlaps({path_through(LineKind::file, true, line), edge});
+        EXPECT_NEAR(test::longest_overlap(paths), at_end ? 20 : 0, 0.5);
+    }
+}
+
 TEST(Overlaps, APathThatFoldsBackIsDrawnOnce) {
     const std::vector<VectorPath> paths = without_overlaps(
         {path_through(LineKind::crease, true, {{10, 10}, {90, 10}, {40, 10.1}, {40, 60}})});

@@ -284,6 +284,35 @@ TEST(Outlines, RimsOfThroughHolesHaveNone) {
     }
 }
 
+TEST(Outlines, EndWhereTheGroundBesideALineChanges) {
+    // A beam along x, and below it a window that a wire closes on one side.
+    Mesh mesh;
+    const MeshGroup group{.object = "frame", .material = ""};
+    add_box(mesh, {-3, 0, -0.1F}, {3, 1, 0.1F}, group);            // the beam
+    add_box(mesh, {-3, -2, -0.1F}, {-2.5F, 0, 0.1F}, group);       // a post
+    add_box(mesh, {-3, -2.4F, -0.1F}, {0, -2, 0.1F}, group);       // a sill
+    add_box(mesh, {0, -2.4F, -0.1F}, {0.02F, 0.5F, 0.15F}, group); // the wire
+    const LineSet lines = extract_lines(mesh);
+    const View view{.eye = {0, 0, 20}, .projection = Projection::orthographic};
+    const Camera camera = make_camera(with_shown_height(view, 6), size, lines.bounds);
+    const VectorDrawing drawing = drawing_of(lines, camera, with_outline());
+    double outline = 0, inside = 0;
+    for (const VectorPath& path : drawing.paths) {
+        if (!path.visible) continue;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const glm::dvec3 a = path.points[i - 1].world, b = path.points[i].world;
+            if (std::abs(a.y) > 0.01 || std::abs(b.y) > 0.01) continue;
+            const double left = std::min(a.x, b.x), right = std::max(a.x, b.x);
+            if (!path.outline) continue;
+            outline += std::max(0.0, right - std::max(left, 0.0));
+            inside += std::max(0.0, std::min(right, 0.0) - left);
+        }
+    }
+    // Pixels are 0.02 wide.
+    EXPECT_NEAR(outline, 3, 0.1);
+    EXPECT_NEAR(inside, 0, 0.1);
+}
+
 TEST(Pens, EveryRuleThatMatchesChangesWhatItNames) {
     Mesh mesh;
     add_box(mesh, {-3, -1, -1}, {-1, 1, 1}, {.object = "Bolt 7", .material = "steel"});
