@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
@@ -114,14 +116,143 @@ void for_each_span(std::span<const glm::dvec2> polygon, Range rows, int width, c
     }
 }
 
-/// Background texels of a row side by side.
+/// The faces of a model on the grid.
+class Raster {
+  public:
+    Raster(const LineSet& lines, const Camera& camera, double texel, glm::ivec2 size)
+        : lines_(lines), projector_(camera, texel), size_(size), places_(lines.vertices.size()),
+          rows_(lines.triangles.size()) {
+        for_each_index(places_.size(), [&](std::size_t i) {
+            places_[i] = projector_.place(projector_.clip(lines.vertices[i]));
+        });
+        for_each_index(rows_.size(), [&](std::size_t i) {
+            rows_[i] = rows_of(polygon_of(lines.triangles[i]).places(), size.y);
+        });
+    }
+
+    /// Calls span(band, triangle, row, texels) for what triangles cover, at the same time for
+    /// different bands of rows, which follow each other.
+    template <class Span>
+    void for_each_span_of_bands(const Span& span) const {
+        for_each_piece(
+            static_cast<std::size_t>(size_.y), band, [&](std::size_t first, std::size_t end) {
+                for (std::size_t i = 0; i < rows_.size(); ++i) {
+                    const Range own{std::max(rows_[i].first, static_cast<int>(first)),
+                                    std::min(rows_[i].end, static_cast<int>(end))};
+                    if (own.first >= own.end) continue;
+                    for_each_span(polygon_of(lines_.triangles[i]).places(), own, size_.x,
+                                  [&](int y, Range texels) { span(first / band, i, y, texels); });
+                }
+            });
+    }
+    std::size_t bands() const { return (static_cast<std::size_t>(size_.y) + band - 1) / band; }
+
+  private:
+    static constexpr std::size_t band = 256; ///< rows; every band looks at all triangles
+
+    Polygon polygon_of(const glm::uvec3& corners) const {
+        const auto &a = places_[corners.x], &b = places_[corners.y], &c = places_[corners.z];
+        if (!a && !b && !c) return {};
+        if (a && b && c) return {.corners = {*a, *b, *c}, .count = 3};
+        return projector_.polygon({projector_.clip(lines_.vertices[corners.x]),
+                                   projector_.clip(lines_.vertices[corners.y]),
+                                   projector_.clip(lines_.vertices[corners.z])});
+    }
+
+    const LineSet& lines_;
+    Projector projector_;
+    glm::ivec2 size_;
+    std::vector<std::optional<glm::dvec2>> places_;
+    std::vector<Range> rows_; ///< of triangles
+};
+
+/// Background texels of a row side by side, and their region.
 struct EmptyRun {
     Range texels;
     int row;
+    std::uint32_t region = 0;
 };
 
 bool meet(const EmptyRun& a, const EmptyRun& b) {
     return a.texels.first < b.texels.end && b.texels.first < a.texels.end;
+}
+
+/// Runs of a row after those of the rows above. Their regions are numbered by one of their runs;
+/// those that reach the border have the number of none.
+std::vector<EmptyRun> find_regions(std::vector<EmptyRun> runs, glm::ivec2 size) {
+    // The last set is what lies beyond the picture's border.
+    const auto beyond = static_cast<std::uint32_t>(runs.size());
+    VertexSets regions{runs.size() + 1};
+    std::uint32_t above = 0; // the first run that may meet the next one
+    for (std::uint32_t i = 0; i < beyond; ++i) {
+        const EmptyRun& run = runs[i];
+        if (run.row == 0 || run.row + 1 == size.y || run.texels.first == 0 ||
+            run.texels.end == size.x)
+            regions.unite(i, beyond);
+        while (runs[above].row + 1 < run.row ||
+               (runs[above].row + 1 == run.row && runs[above].texels.end <= run.texels.first))
+            ++above;
+        for (std::uint32_t k = above; runs[k].row + 1 == run.row && meet(run, runs[k]); ++k)
+            regions.unite(i, k);
+    }
+    const std::uint32_t outside = regions.find(beyond);
+    for (std::uint32_t i = 0; i < beyond; ++i) {
+        const std::uint32_t region = regions.find(i);
+        runs[i].region = region == outside ? beyond : region;
+    }
+    return runs;
+}
+
+/// A texel that a face covers beside a region of background that reaches no border.
+struct BorderTexel {
+    int row, column;
+    std::uint32_t region;
+
+    auto operator<=>(const BorderTexel&) const = default;
+};
+
+/// The pieces of a model, by a vertex of each.
+std::vector<std::uint32_t> pieces_of(const LineSet& lines) {
+    VertexSets pieces{lines.vertices.size()};
+    for (const glm::uvec3& corners : lines.triangles) {
+        pieces.unite(corners.x, corners.y);
+        pieces.unite(corners.x, corners.z);
+    }
+    std::vector<std::uint32_t> result;
+    result.reserve(lines.triangles.size());
+    for (const glm::uvec3& corners : lines.triangles) result.push_back(pieces.find(corners.x));
+    return result;
+}
+
+/// The regions, ascending, that one piece surrounds: it covers all of their border texels. `border`
+/// is ascending.
+std::vector<std::uint32_t> regions_in_one_piece(const std::vector<BorderTexel>& border,
+                                                const Raster& raster, const LineSet& lines) {
+    if (border.empty()) return {};
+    const std::vector<std::uint32_t> pieces = pieces_of(lines);
+    using Covered = std::pair<std::uint32_t, std::uint32_t>; // place in `border`, piece
+    std::vector<std::vector<Covered>> of_bands(raster.bands());
+    raster.for_each_span_of_bands([&](std::size_t band, std::size_t triangle, int y, Range texels) {
+        for (auto at = std::ranges::lower_bound(border, BorderTexel{y, texels.first, 0});
+             at != border.end() && at->row == y && at->column < texels.end; ++at) {
+            const Covered covered{static_cast<std::uint32_t>(at - border.begin()),
+                                  pieces[triangle]};
+            std::vector<Covered>& own = of_bands[band];
+            if (own.empty() || own.back() != covered) own.push_back(covered);
+        }
+    });
+    std::vector<Covered> covered = joined(of_bands);
+    std::ranges::sort(covered);
+    const auto [first, last] = std::ranges::unique(covered);
+    covered.erase(first, last);
+    std::map<std::uint32_t, std::size_t> lengths; // of regions
+    for (const BorderTexel& texel : border) ++lengths[texel.region];
+    std::map<Covered, std::size_t> shares; // of a region and a piece
+    for (const auto& [at, piece] : covered) ++shares[{border[at].region, piece}];
+    std::vector<std::uint32_t> found;
+    for (const auto& [of, length] : shares)
+        if (length == lengths[of.first]) found.push_back(of.first);
+    return found;
 }
 
 } // namespace
@@ -129,85 +260,50 @@ bool meet(const EmptyRun& a, const EmptyRun& b) {
 Background::Background(const LineSet& lines, const Camera& camera)
     : texel_(texel_for(camera.size)),
       size_(glm::max(glm::ivec2{glm::ceil(glm::dvec2{camera.size} / texel_)}, glm::ivec2{1})),
-      texels_(row(size_.y), Ground::enclosed) {
-    cover(lines, camera);
-    find_regions();
+      texels_(index(0, size_.y), Ground::around) {
+    const Raster raster{lines, camera, texel_, size_};
+    raster.for_each_span_of_bands([&](std::size_t, std::size_t, int y, Range texels) {
+        fill(y, texels.first, texels.end, Ground::model);
+    });
+    std::vector<EmptyRun> runs;
+    for (int y = 0; y < size_.y; ++y) {
+        for (int x = 0; x < size_.x; ++x) {
+            if (texels_[index(x, y)] == Ground::model) continue;
+            if (!runs.empty() && runs.back().row == y && runs.back().texels.end == x)
+                ++runs.back().texels.end;
+            else
+                runs.push_back({.texels = {x, x + 1}, .row = y});
+        }
+    }
+    runs = find_regions(std::move(runs), size_);
+    std::erase_if(runs,
+                  [outside = runs.size()](const EmptyRun& run) { return run.region == outside; });
+    std::vector<BorderTexel> border;
+    for (const auto& [texels, row, region] : runs) {
+        border.push_back({row, texels.first - 1, region});
+        border.push_back({row, texels.end, region});
+        for (int x = texels.first; x < texels.end; ++x) {
+            for (const int y : {row - 1, row + 1})
+                if (texels_[index(x, y)] == Ground::model) border.push_back({y, x, region});
+        }
+    }
+    std::ranges::sort(border);
+    border.erase(std::ranges::unique(border).begin(), border.end());
+    const std::vector<std::uint32_t> holes = regions_in_one_piece(border, raster, lines);
+    for (const EmptyRun& run : runs)
+        if (std::ranges::binary_search(holes, run.region))
+            fill(run.row, run.texels.first, run.texels.end, Ground::enclosed);
 }
 
 Ground Background::at(glm::dvec2 place) const {
     const glm::dvec2 texel = glm::floor(place / texel_);
     if (!(texel.x >= 0 && texel.y >= 0 && texel.x < size_.x && texel.y < size_.y))
         return Ground::around;
-    return texels_[row(static_cast<int>(texel.y)) + static_cast<std::size_t>(texel.x)];
+    return texels_[index(static_cast<int>(texel.x), static_cast<int>(texel.y))];
 }
 
-void Background::cover(const LineSet& lines, const Camera& camera) {
-    const Projector projector{camera, texel_};
-    std::vector<std::optional<glm::dvec2>> places(lines.vertices.size());
-    for_each_index(places.size(), [&](std::size_t i) {
-        places[i] = projector.place(projector.clip(lines.vertices[i]));
-    });
-    const auto polygon_of = [&](const glm::uvec3& corners) -> Polygon {
-        const auto &a = places[corners.x], &b = places[corners.y], &c = places[corners.z];
-        if (!a && !b && !c) return {};
-        if (a && b && c) return {.corners = {*a, *b, *c}, .count = 3};
-        return projector.polygon({projector.clip(lines.vertices[corners.x]),
-                                  projector.clip(lines.vertices[corners.y]),
-                                  projector.clip(lines.vertices[corners.z])});
-    };
-    std::vector<Range> rows(lines.triangles.size());
-    for_each_index(rows.size(), [&](std::size_t i) {
-        rows[i] = rows_of(polygon_of(lines.triangles[i]).places(), size_.y);
-    });
-    constexpr std::size_t band = 256; // rows; every band looks at all triangles
-    for_each_piece(
-        static_cast<std::size_t>(size_.y), band, [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = 0; i < rows.size(); ++i) {
-                const Range own{std::max(rows[i].first, static_cast<int>(first)),
-                                std::min(rows[i].end, static_cast<int>(end))};
-                if (own.first >= own.end) continue;
-                for_each_span(polygon_of(lines.triangles[i]).places(), own, size_.x,
-                              [&](int y, Range texels) {
-                                  std::fill(&texels_[row(y)] + texels.first,
-                                            &texels_[row(y)] + texels.end, Ground::model);
-                              });
-            }
-        });
-}
-
-void Background::find_regions() {
-    std::vector<EmptyRun> runs;
-    std::vector<std::size_t> first_of_row;
-    for (int y = 0; y < size_.y; ++y) {
-        first_of_row.push_back(runs.size());
-        for (int x = 0; x < size_.x; ++x) {
-            if (texels_[row(y) + static_cast<std::size_t>(x)] == Ground::model) continue;
-            if (x > 0 && runs.size() > first_of_row.back() && runs.back().texels.end == x)
-                ++runs.back().texels.end;
-            else
-                runs.push_back({.texels = {x, x + 1}, .row = y});
-        }
-    }
-    first_of_row.push_back(runs.size());
-    // The last set is what lies beyond the picture's border.
-    const auto beyond = static_cast<std::uint32_t>(runs.size());
-    VertexSets regions{runs.size() + 1};
-    for (std::uint32_t i = 0; i < beyond; ++i) {
-        const EmptyRun& run = runs[i];
-        if (run.row == 0 || run.row + 1 == size_.y || run.texels.first == 0 ||
-            run.texels.end == size_.x)
-            regions.unite(i, beyond);
-        if (run.row == 0) continue;
-        const auto above = static_cast<std::size_t>(run.row) - 1;
-        for (std::size_t k = first_of_row[above]; k < first_of_row[above + 1]; ++k)
-            if (meet(run, runs[k])) regions.unite(i, static_cast<std::uint32_t>(k));
-    }
-    for (std::uint32_t i = 0; i < beyond; ++i) {
-        if (regions.find(i) != regions.find(beyond)) continue;
-        const Range texels = runs[i].texels;
-        std::fill(&texels_[row(runs[i].row)] + texels.first,
-                  &texels_[row(runs[i].row)] + texels.end, Ground::around);
-    }
+void Background::fill(int y, int first, int end, Ground ground) {
+    std::fill(&texels_[index(0, y)] + first, &texels_[index(0, y)] + end, ground);
 }
 
 } // namespace lineatlas

@@ -14,12 +14,13 @@ namespace lineatlas {
 /// What is seen at a place of the picture.
 enum class Ground : std::uint8_t {
     model,    ///< a face
-    around,   ///< background that reaches the picture's border
-    enclosed, ///< background that the model surrounds, as in a through hole
+    around,   ///< background
+    enclosed, ///< background that one piece of the model surrounds, as in a through hole
 };
 
 /// The background of a picture, on a grid of texels as large as its pixels. In pictures with a side
-/// of more than 2048 pixels the texels are larger.
+/// of more than 2048 pixels the texels are larger. A piece of the model is what hangs together by
+/// common vertices: between sails and ropes one sees the sky, through a hole of a plate the hole.
 class Background {
   public:
     Background(const LineSet& lines, const Camera& camera);
@@ -30,12 +31,11 @@ class Background {
     double texel() const { return texel_; }
 
   private:
-    std::size_t row(int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x);
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+               static_cast<std::size_t>(x);
     }
-    void cover(const LineSet& lines, const Camera& camera);
-    void find_regions();
-
+    void fill(int y, int first, int end, Ground ground);
     double texel_;
     glm::ivec2 size_; ///< in texels
     std::vector<Ground> texels_;

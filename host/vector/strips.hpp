@@ -54,9 +54,9 @@ struct Strip {
 /// Makes strips of pieces. Silhouettes are chained at the mesh's vertices, the straightest first.
 std::vector<Strip> make_strips(const LineSet& lines, const Pieces& pieces);
 
-/// Marks the stretches of every strip that have the background around the model on one side. Rims
-/// of holes, beside background that the model surrounds, are not marked. A silhouette that ends on
-/// an edge ends the stretches beside it. picture: its size, pixels.
+/// Marks the stretches of every strip that have background on one side. Rims of holes, beside
+/// Ground::enclosed, are not marked. A silhouette that ends on an edge ends the stretches beside
+/// it. picture: its size, pixels.
 void mark_outlines(std::vector<Strip>& strips, const Pieces& pieces,
                    std::span<const OutlinePart> outlines, glm::dvec2 picture,
                    const Background& background);

@@ -284,6 +284,29 @@ TEST(Outlines, RimsOfThroughHolesHaveNone) {
     }
 }
 
+TEST(Outlines, BetweenPiecesAreThereAsAroundThem) {
+    // Four beams, each before the next: nothing but the picture joins them.
+    Mesh mesh;
+    add_box(mesh, {-3, 1, 0.3F}, {3, 2, 0.4F}, {});
+    add_box(mesh, {-3, -2, 0.2F}, {3, -1, 0.25F}, {});
+    add_box(mesh, {-2.5F, -3, 0}, {-1.5F, 3, 0.1F}, {});
+    add_box(mesh, {1.5F, -3, -0.3F}, {2.5F, 3, -0.2F}, {});
+    const LineSet lines = extract_lines(mesh);
+    const View view{.eye = {0, 0, 20}, .projection = Projection::orthographic};
+    const Camera camera = make_camera(with_shown_height(view, 8), size, lines.bounds);
+    double outline = 0;
+    for (const VectorPath& path : drawing_of(lines, camera, with_outline()).paths) {
+        if (!path.visible || !path.outline) continue;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const glm::dvec2 a{path.points[i - 1].world}, b{path.points[i].world};
+            const glm::dvec2 middle = 0.5 * (a + b);
+            if (std::abs(middle.x) < 1.51 && std::abs(middle.y) < 1.01)
+                outline += glm::distance(glm::clamp(a, -1.51, 1.51), glm::clamp(b, -1.51, 1.51));
+        }
+    }
+    EXPECT_NEAR(outline, 2 * (3 + 2), 0.2) << "the window of 3 by 2";
+}
+
 TEST(Outlines, EndWhereTheGroundBesideALineChanges) {
     // A beam along x, and below it a window that a wire closes on one side.
     Mesh mesh;

@@ -89,7 +89,7 @@ struct VectorPath {
     LineKind kind = LineKind::crease; ///< kind of the whole path
     bool visible = true;              ///< visible all along; else hidden all along
     bool closed = false;              ///< the last point is where the first one is
-    bool outline = false;             ///< has the background around the model beside it all along
+    bool outline = false;             ///< has background beside it all along, and no hole
     /// Left out where lines are dense (Style::density): files have the path on a layer that is not
     /// shown.
     bool thinned = false;
