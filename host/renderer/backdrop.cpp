@@ -25,31 +25,32 @@ void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::Tri
     if (fill.mode == FillMode::none) return;
     if (!fill_pass_) fill_pass_.emplace();
     if (!layer_) layer_.emplace();
-    const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
-    const int scale = frame.depth_scale();
     frame.clock.gl("fill", [&] {
-        const std::vector<PictureTile> parts =
-            make_tiles(frame.tile.size, most_fill_texels / scale);
-        for (const PictureTile& part : parts) {
+        for (const PictureTile& part :
+             make_tiles(frame.tile.size, most_fill_texels / frame.depth_scale())) {
+            if (part.size == frame.camera.size) return draw_part(frame, fill, part, seen);
             const PictureTile tile{frame.tile.low + part.low, part.size};
-            std::vector<gl::TriangleRange> in_view;
-            if (parts.size() > 1)
-                in_view =
-                    pieces_in_view(frame.scene, tile_projection(frame.camera.clip_from_world(),
-                                                                tile, frame.camera.size));
-            gl::Canvas& canvas = texels(part.size * scale, frame.framebuffer);
-            fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
-                             is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt,
-                             parts.size() > 1 ? std::span<const gl::TriangleRange>{in_view} : seen,
-                             {.clip_from_world = frame.camera.clip_from_world(),
-                              .eye_from_world = frame.camera.view,
-                              .viewport = part.size * scale,
-                              .tile = tile_transform(tile, frame.camera.size)},
-                             fill, canvas.framebuffer());
-            layer_->draw_mean(canvas, scale, part.size, frame.framebuffer,
-                              frame.camera.origin + part.low);
+            const glm::mat4 clip_of_part =
+                tile_projection(frame.camera.clip_from_world(), tile, frame.camera.size);
+            draw_part(frame, fill, part, pieces_in_view(frame.scene, clip_of_part));
         }
     });
+}
+
+void Backdrop::draw_part(Frame& frame, const Fill& fill, const PictureTile& part,
+                         std::span<const gl::TriangleRange> seen) {
+    const bool is_lit = fill.mode == FillMode::lambert || fill.mode == FillMode::toon;
+    const int scale = frame.depth_scale();
+    const PictureTile tile{frame.tile.low + part.low, part.size};
+    gl::Canvas& canvas = texels(part.size * scale, frame.framebuffer);
+    fill_pass_->draw(frame.scene.gl_triangles(), frame.scene.gl_colors(),
+                     is_lit ? frame.scene.gl_smooth_triangles() : std::nullopt, seen,
+                     {.clip_from_world = frame.camera.clip_from_world(),
+                      .eye_from_world = frame.camera.view,
+                      .viewport = part.size * scale,
+                      .tile = tile_transform(tile, frame.camera.size)},
+                     fill, canvas.framebuffer());
+    layer_->draw_mean(canvas, scale, part.size, frame.framebuffer, frame.camera.origin + part.low);
 }
 
 void Backdrop::draw_fill(Frame& frame, const Fill& fill) {

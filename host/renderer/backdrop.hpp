@@ -21,7 +21,7 @@ class Backdrop {
   public:
     /// The raster form of `fill`, before the strokes: `depth_scale` by `depth_scale` texels make a
     /// pixel, as in the compute form. `seen`: the pieces of the model that may be seen
-    /// (DepthStage::drawn()).
+    /// (DepthStage::drawn()); a part of the picture draws those in its view.
     void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);
     /// As above, with the whole model.
     void draw_fill(Frame& frame, const Fill& fill);
@@ -30,6 +30,9 @@ class Backdrop {
     void draw_paper(Frame& frame, const Paper& paper);
 
   private:
+    /// `part`: of the frame's tile.
+    void draw_part(Frame& frame, const Fill& fill, const PictureTile& part,
+                   std::span<const gl::TriangleRange> seen);
     /// Where `size` texels are drawn for the framebuffer: nothing yet.
     gl::Canvas& texels(glm::ivec2 size, GLuint framebuffer);
 

@@ -55,7 +55,7 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
 
 void FillStage::draw(Frame& frame, DepthStage& depth) {
     if (frame.options.style.fill.mode == FillMode::none) return;
-    if (!draws(frame, depth))
+    if (!depth.wants_kernels(frame))
         return frame.backdrop.draw_fill(frame, frame.options.style.fill, depth.drawn());
     color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
     lay(frame);
@@ -63,12 +63,8 @@ void FillStage::draw(Frame& frame, DepthStage& depth) {
 
 void FillStage::draw_tile(Frame& frame, DepthStage& depth) {
     if (frame.options.style.fill.mode == FillMode::none) return;
-    if (!draws(frame, depth)) {
-        const Fill& fill = frame.options.style.fill;
-        if (frame.tile.size == frame.camera.size) return frame.backdrop.draw_fill(frame, fill);
-        return frame.backdrop.draw_fill(frame, fill,
-                                        pieces_in_view(frame.scene, frame.clip_of_tile()));
-    }
+    if (!depth.wants_kernels(frame))
+        return frame.backdrop.draw_fill(frame, frame.options.style.fill);
     // Pictures, and tiles of them, may be as large as GL can draw. Depth is not kept for all of it.
     for (const PictureTile& part :
          make_tiles(frame.tile.size, most_fill_texels / frame.depth_scale())) {

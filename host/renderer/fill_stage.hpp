@@ -11,8 +11,9 @@
 
 namespace lineatlas {
 
-/// The compute form of `fill`: kernels colour pixels by the triangles that `depth` found in them,
-/// and GL lays the pixels over the picture. Backdrop::draw_fill() is the raster form.
+/// The compute form of `fill`, used if kernels draw the frame's depth: kernels colour pixels by the
+/// triangles that `depth` found in them, and GL lays the pixels over the picture.
+/// Backdrop::draw_fill() is the raster form.
 class FillStage {
   public:
     explicit FillStage(const interop::Connection& connection);
@@ -33,11 +34,6 @@ class FillStage {
     /// picture that goes to the framebuffer.
     void lay(Frame& frame, glm::ivec2 at = {0, 0});
     void prepare(const Frame& frame);
-    /// Whether the frame has a fill that is drawn in the compute form. It is if kernels draw the
-    /// frame's depth.
-    static bool draws(const Frame& frame, const DepthStage& depth) {
-        return frame.options.style.fill.mode != FillMode::none && depth.wants_kernels(frame);
-    }
 
     compute::Stages& stages_;
     compute::Device& device_;                                       ///< of stages_
