@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace lineatlas {
 
@@ -31,5 +34,15 @@ class VertexSets {
   private:
     std::vector<std::uint32_t> parent_;
 };
+
+/// The sets of `count` vertices that triangles join.
+inline VertexSets joined_by(std::span<const glm::uvec3> triangles, std::size_t count) {
+    VertexSets sets{count};
+    for (const glm::uvec3& t : triangles) {
+        sets.unite(t.x, t.y);
+        sets.unite(t.y, t.z);
+    }
+    return sets;
+}
 
 } // namespace lineatlas

@@ -131,11 +131,7 @@ std::vector<bool> abutting_that_look_inwards(const WeldedMesh& mesh,
 } // namespace
 
 MeshParts find_parts(const WeldedMesh& mesh) {
-    VertexSets sets{mesh.vertices.size()};
-    for (const glm::uvec3& t : mesh.triangles) {
-        sets.unite(t.x, t.y);
-        sets.unite(t.y, t.z);
-    }
+    VertexSets sets = joined_by(mesh.triangles, mesh.vertices.size());
     constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
     MeshParts parts{.of_vertex = std::vector<std::uint32_t>(mesh.vertices.size(), unknown)};
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {

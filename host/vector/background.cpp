@@ -203,6 +203,25 @@ std::vector<EmptyRun> find_regions(std::vector<EmptyRun> runs, glm::ivec2 size) 
     return runs;
 }
 
+/// The background that reaches no border of the picture, with its regions.
+template <class IsModel>
+std::vector<EmptyRun> inner_runs(glm::ivec2 size, const IsModel& is_model) {
+    std::vector<EmptyRun> runs;
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            if (is_model(x, y)) continue;
+            if (!runs.empty() && runs.back().row == y && runs.back().texels.end == x)
+                ++runs.back().texels.end;
+            else
+                runs.push_back({.texels = {x, x + 1}, .row = y});
+        }
+    }
+    runs = find_regions(std::move(runs), size);
+    std::erase_if(runs,
+                  [outside = runs.size()](const EmptyRun& run) { return run.region == outside; });
+    return runs;
+}
+
 /// A texel that a face covers beside a region of background that reaches no border.
 struct BorderTexel {
     int row, column;
@@ -211,17 +230,21 @@ struct BorderTexel {
     auto operator<=>(const BorderTexel&) const = default;
 };
 
-/// The pieces of a model, by a vertex of each.
-std::vector<std::uint32_t> pieces_of(const LineSet& lines) {
-    VertexSets pieces{lines.vertices.size()};
-    for (const glm::uvec3& corners : lines.triangles) {
-        pieces.unite(corners.x, corners.y);
-        pieces.unite(corners.x, corners.z);
+/// Ascending.
+template <class IsModel>
+std::vector<BorderTexel> border_of(const std::vector<EmptyRun>& runs, const IsModel& is_model) {
+    std::vector<BorderTexel> border;
+    for (const auto& [texels, row, region] : runs) {
+        border.push_back({row, texels.first - 1, region});
+        border.push_back({row, texels.end, region});
+        for (int x = texels.first; x < texels.end; ++x) {
+            for (const int y : {row - 1, row + 1})
+                if (is_model(x, y)) border.push_back({y, x, region});
+        }
     }
-    std::vector<std::uint32_t> result;
-    result.reserve(lines.triangles.size());
-    for (const glm::uvec3& corners : lines.triangles) result.push_back(pieces.find(corners.x));
-    return result;
+    std::ranges::sort(border);
+    border.erase(std::ranges::unique(border).begin(), border.end());
+    return border;
 }
 
 /// The regions, ascending, that one piece surrounds: it covers all of their border texels. `border`
@@ -229,14 +252,17 @@ std::vector<std::uint32_t> pieces_of(const LineSet& lines) {
 std::vector<std::uint32_t> regions_in_one_piece(const std::vector<BorderTexel>& border,
                                                 const Raster& raster, const LineSet& lines) {
     if (border.empty()) return {};
-    const std::vector<std::uint32_t> pieces = pieces_of(lines);
+    VertexSets pieces = joined_by(lines.triangles, lines.vertices.size());
+    std::vector<std::uint32_t> piece_of(lines.triangles.size());
+    for (std::size_t i = 0; i < piece_of.size(); ++i)
+        piece_of[i] = pieces.find(lines.triangles[i].x);
     using Covered = std::pair<std::uint32_t, std::uint32_t>; // place in `border`, piece
     std::vector<std::vector<Covered>> of_bands(raster.bands());
     raster.for_each_span_of_bands([&](std::size_t band, std::size_t triangle, int y, Range texels) {
         for (auto at = std::ranges::lower_bound(border, BorderTexel{y, texels.first, 0});
              at != border.end() && at->row == y && at->column < texels.end; ++at) {
             const Covered covered{static_cast<std::uint32_t>(at - border.begin()),
-                                  pieces[triangle]};
+                                  piece_of[triangle]};
             std::vector<Covered>& own = of_bands[band];
             if (own.empty() || own.back() != covered) own.push_back(covered);
         }
@@ -265,31 +291,10 @@ Background::Background(const LineSet& lines, const Camera& camera)
     raster.for_each_span_of_bands([&](std::size_t, std::size_t, int y, Range texels) {
         fill(y, texels.first, texels.end, Ground::model);
     });
-    std::vector<EmptyRun> runs;
-    for (int y = 0; y < size_.y; ++y) {
-        for (int x = 0; x < size_.x; ++x) {
-            if (texels_[index(x, y)] == Ground::model) continue;
-            if (!runs.empty() && runs.back().row == y && runs.back().texels.end == x)
-                ++runs.back().texels.end;
-            else
-                runs.push_back({.texels = {x, x + 1}, .row = y});
-        }
-    }
-    runs = find_regions(std::move(runs), size_);
-    std::erase_if(runs,
-                  [outside = runs.size()](const EmptyRun& run) { return run.region == outside; });
-    std::vector<BorderTexel> border;
-    for (const auto& [texels, row, region] : runs) {
-        border.push_back({row, texels.first - 1, region});
-        border.push_back({row, texels.end, region});
-        for (int x = texels.first; x < texels.end; ++x) {
-            for (const int y : {row - 1, row + 1})
-                if (texels_[index(x, y)] == Ground::model) border.push_back({y, x, region});
-        }
-    }
-    std::ranges::sort(border);
-    border.erase(std::ranges::unique(border).begin(), border.end());
-    const std::vector<std::uint32_t> holes = regions_in_one_piece(border, raster, lines);
+    const auto is_model = [&](int x, int y) { return texels_[index(x, y)] == Ground::model; };
+    const std::vector<EmptyRun> runs = inner_runs(size_, is_model);
+    const std::vector<std::uint32_t> holes =
+        regions_in_one_piece(border_of(runs, is_model), raster, lines);
     for (const EmptyRun& run : runs)
         if (std::ranges::binary_search(holes, run.region))
             fill(run.row, run.texels.first, run.texels.end, Ground::enclosed);
