@@ -188,51 +188,62 @@ void remove_short(std::vector<Run>& runs, double least) {
     }
 }
 
+/// The runs of a stretch, which may go on beyond the seam.
+std::vector<Run> runs_of(const Strip& strip, Stretch stretch, const Pieces& pieces,
+                         const Background& background) {
+    std::vector<Run> runs;
+    const bool over_seam = strip.closed && stretch.to > strip.length;
+    const Stretch before{stretch.from, over_seam ? strip.length : stretch.to};
+    add_runs(strip, before, 0, pieces, background, runs);
+    if (over_seam)
+        add_runs(strip, {0, stretch.to - strip.length}, strip.length, pieces, background, runs);
+    return runs;
+}
+
+/// The stretches of a strip. Those on either side of a seam are one that goes on beyond it.
+std::vector<Stretch> joined_over_seam(const Strip& strip) {
+    std::vector<Stretch> stretches = strip.outlines;
+    if (strip.closed && stretches.size() > 1 && stretches.front().from <= 0 &&
+        stretches.back().to >= strip.length) {
+        stretches.back().to = strip.length + stretches.front().to;
+        stretches.erase(stretches.begin());
+    }
+    return stretches;
+}
+
+/// Lets a closed line that is outline all around begin where the ground changes. Returns the
+/// stretch of its runs.
+Stretch begin_at_change(const Strip& strip, Stretch stretch, std::vector<Run>& runs) {
+    const bool is_all = strip.closed && stretch.from <= 0 && stretch.to >= strip.length;
+    if (!is_all || runs.size() < 2 || runs.front().ground != runs.back().ground) return stretch;
+    const double start = runs.front().to;
+    runs.back().to = start + strip.length;
+    runs.erase(runs.begin());
+    return {start, start + strip.length};
+}
+
+/// Adds a stretch that may go on beyond the seam.
+void add_stretch(Strip& strip, Stretch stretch) {
+    const double seam = strip.closed ? strip.length : std::numeric_limits<double>::infinity();
+    if (stretch.from < seam) strip.outlines.push_back({stretch.from, std::min(stretch.to, seam)});
+    if (stretch.to > seam)
+        strip.outlines.push_back({std::max(stretch.from, seam) - seam, stretch.to - seam});
+}
+
 /// Removes what is beside background that the model surrounds.
 void leave_out_rims(Strip& strip, const Pieces& pieces, const Background& background) {
     const double least = 8 * background.texel(); // shorter changes of the ground do not count
-    std::vector<Stretch> stretches = std::exchange(strip.outlines, {});
-    if (stretches.empty()) return;
-    // The stretches on either side of a seam are one.
-    const bool over_seam =
-        strip.closed && stretches.front().from <= 0 && stretches.back().to >= strip.length;
-    const auto keep = [&](Stretch stretch, std::vector<Run>& runs) {
+    const std::vector<Stretch> stretches = joined_over_seam(strip);
+    strip.outlines.clear();
+    for (const Stretch of_strip : stretches) {
+        std::vector<Run> runs = runs_of(strip, of_strip, pieces, background);
+        const Stretch stretch = begin_at_change(strip, of_strip, runs);
         remove_short(runs, least);
-        if (runs.empty()) return strip.outlines.push_back(stretch);
+        if (runs.empty()) runs.push_back({stretch.from, stretch.to, Ground::model});
         runs.front().from = stretch.from;
         runs.back().to = stretch.to;
-        for (const Run& run : runs) {
-            if (run.ground == Ground::enclosed) continue;
-            if (run.from < strip.length || !over_seam)
-                strip.outlines.push_back(
-                    {run.from, over_seam ? std::min(run.to, strip.length) : run.to});
-            if (over_seam && run.to > strip.length)
-                strip.outlines.push_back(
-                    {std::max(run.from, strip.length) - strip.length, run.to - strip.length});
-        }
-    };
-    if (over_seam) {
-        const Stretch first = stretches.front(), last = stretches.back();
-        std::vector<Run> runs;
-        add_runs(strip, last, 0, pieces, background, runs);
-        if (stretches.size() > 1) {
-            add_runs(strip, first, strip.length, pieces, background, runs);
-            keep({last.from, first.to + strip.length}, runs);
-            stretches.erase(stretches.begin());
-        } else if (runs.size() > 1 && runs.front().ground == runs.back().ground) {
-            const double start = runs.front().to;
-            runs.back().to = start + strip.length;
-            runs.erase(runs.begin());
-            keep({start, start + strip.length}, runs);
-        } else {
-            keep(last, runs);
-        }
-        stretches.pop_back();
-    }
-    for (const Stretch stretch : stretches) {
-        std::vector<Run> runs;
-        add_runs(strip, stretch, 0, pieces, background, runs);
-        keep(stretch, runs);
+        for (const Run& run : runs)
+            if (run.ground != Ground::enclosed) add_stretch(strip, {run.from, run.to});
     }
     std::ranges::sort(strip.outlines, {}, &Stretch::from);
 }
