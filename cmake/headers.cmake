@@ -3,7 +3,7 @@
 set(lean_headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${lean_headers})
 function(find_headers target folder package)
-    find_path(${folder}_headers ${folder} NO_CACHE NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
+    find_path(${folder}_headers ${folder} NO_CACHE NO_CMAKE_FIND_ROOT_PATH NO_DEFAULT_PATH PATHS /usr/include)
     if(NOT ${folder}_headers)
         message(FATAL_ERROR "There are no headers of ${folder} (on Debian: apt install ${package})")
     endif()
