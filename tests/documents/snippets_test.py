@@ -1,4 +1,4 @@
-"""The pieces of C++ in README and docs compile against the public headers, each as the body of a function."""
+"""The pieces of C++ in README, docs and public headers compile against these headers, each as the body of a function."""
 
 import os
 import pathlib
@@ -9,6 +9,8 @@ import unittest
 
 from documents import PAGES, ROOT, blocks
 
+HEADERS = sorted((ROOT / "host/include/lineatlas").glob("*.hpp"))
+
 # What the pieces take for granted: what a program of the reader's has.
 PROGRAM = """
 #include <atomic>
@@ -17,24 +19,14 @@ PROGRAM = """
 #include <optional>
 #include <vector>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
-#include <lineatlas/assembly.hpp>
-#include <lineatlas/camera_path.hpp>
-#include <lineatlas/fills.hpp>
-#include <lineatlas/io.hpp>
-#include <lineatlas/openmesh.hpp>
-#include <lineatlas/kernel_profile.hpp>
-#include <lineatlas/profile.hpp>
-#include <lineatlas/renderer.hpp>
-#include <lineatlas/sheet.hpp>
-#include <lineatlas/style_files.hpp>
-#include <lineatlas/vector.hpp>
-#include <lineatlas/visibility.hpp>
+""" + "".join(f"#include <lineatlas/{header.name}>\n" for header in HEADERS) + """
 using namespace lineatlas;
 
 struct Program {
     Mesh mesh, bolt_mesh;
     LineSet lines;
     Renderer renderer;
+    LineVisibility visibility;
     FrameOptions options;
     Style style;
     Camera camera;
@@ -53,6 +45,12 @@ struct Program {
     bool show(float);
     bool show(int, int);
 """
+
+
+def examples(header):
+    """The examples in the comments of a public header."""
+    for block in re.findall(r"^ */// @code{\.cpp}\n(.*?)^ */// @endcode$", header.read_text(), re.MULTILINE | re.DOTALL):
+        yield re.sub(r"^ */// ?", "", block, flags=re.MULTILINE)
 
 
 def program(pieces):
@@ -81,6 +79,15 @@ class Snippets(unittest.TestCase):
         self.assertGreater(len(pieces), 12)
         done = compile_(program(pieces))
         self.assertEqual(0, done.returncode, done.stderr)
+
+    def test_every_header_has_an_example_that_compiles(self):
+        without = [header.name for header in HEADERS if not list(examples(header))]
+        self.assertEqual(["export.hpp"], without)  # it has nothing to call
+        done = compile_(program([piece for header in HEADERS for piece in examples(header)]))
+        self.assertEqual(0, done.returncode, done.stderr)
+
+    def test_every_header_has_a_page_in_the_reference(self):
+        self.assertEqual([], [header.name for header in HEADERS if "/// @file\n" not in header.read_text()])
 
     def test_a_piece_that_is_wrong_is_found(self):
         done = compile_(program(["options.nothing = 1;"]))

@@ -8,6 +8,17 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/lines.hpp"
 
+/// @file
+/// Lines of parts that come and go.
+/// @code{.cpp}
+/// Assembly scene;
+/// scene.add(lines); // every object is a part
+/// renderer.set_lines(scene);
+/// const std::uint32_t bolt = scene.add(extract_lines(bolt_mesh)).front();
+/// scene.remove(bolt);
+/// renderer.set_lines(scene); // takes time for the changed parts only
+/// @endcode
+
 namespace lineatlas {
 
 struct AssemblyState;
@@ -23,9 +34,9 @@ class LINEATLAS_API Assembly {
   public:
     Assembly();
     ~Assembly();
-    Assembly(Assembly&&) noexcept;            ///< the other may only be destroyed or assigned to
-                                              ///< then
-    Assembly& operator=(Assembly&&) noexcept; ///< likewise
+    /// A moved-from assembly may only be assigned to or destroyed.
+    Assembly(Assembly&&) noexcept;
+    Assembly& operator=(Assembly&&) noexcept; ///< the same
 
     /// Adds the objects of a line set, or the whole line set as one object if it has none. Returns
     /// their numbers in lines().objects: first numbers of removed parts, then new ones. Throws

@@ -11,6 +11,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// Views, as people describe them, and cameras, as programs have them.
+/// @code{.cpp}
+/// const View front = frame_points_from(view_direction("front", {0, 1, 0}), lines.vertices, size);
+/// const Camera whole = make_camera(front, size, lines.bounds);
+/// const Camera own{.view = view, .projection = projection, .size = {width, height}};
+/// @endcode
+
 namespace lineatlas {
 
 /// How points of space are projected onto the picture.

@@ -8,6 +8,16 @@
 #include "lineatlas/camera.hpp"
 #include "lineatlas/export.hpp"
 
+/// @file
+/// Cameras of turntables, and of paths through views.
+/// @code{.cpp}
+/// const Axis axis{.point = 0.5F * (lines.bounds.min + lines.bounds.max)};
+/// const View first = frame_points(swept(lines.vertices, axis), size); // shows all, all around
+/// const View quarter = turned(first, axis, 0.25);
+/// const CameraPath path{{{0, first}, {48, door}, {96, roof}}};
+/// const View between = path.view(24);
+/// @endcode
+
 namespace lineatlas {
 
 /// A line in space. Functions that take an axis throw UsageError unless its direction is a unit

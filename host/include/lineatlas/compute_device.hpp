@@ -13,9 +13,18 @@
 
 #include "lineatlas/export.hpp"
 
-// Devices run the kernels. The library brings `opencl` and `cpp`. A program can add another one by
-// a class derived from Device and one call of register_device(); docs/backends.md has a whole
-// example.
+/// @file
+/// Devices run the kernels. The library brings `opencl` and `cpp`. A program can add another one by
+/// a class derived from compute::Device and a call of compute::register_device(); docs/backends.md
+/// leads through a whole example.
+/// @code{.cpp}
+/// for (const compute::DeviceKind& kind : compute::device_kinds()) std::cout << kind.name << '\n';
+/// const auto device = compute::make_device("cpp");
+/// const auto buffer = device->allocate(1024);
+/// device->clear(*buffer, 1024);
+/// device->finish();
+/// @endcode
+
 namespace lineatlas::compute {
 
 /// The memory of a device that the library keeps under one name.
@@ -36,7 +45,7 @@ class LINEATLAS_API Buffer {
     Buffer& operator=(const Buffer&) = delete;
 
     std::size_t size() const { return size_; } ///< in bytes
-    /// How many launches of the library's stages so far were of kernels that write to the buffer.
+    /// The number of launches so far of kernels that write to the buffer.
     std::uint64_t writes() const { return writes_; }
 
   private:
@@ -109,8 +118,8 @@ struct Launch {
 /// 0.
 struct Tuning {
     bool scan_tiles = false;            ///< tiles in local memory instead of serial chunks
-    std::uint32_t scan_chunks = 16;     ///< serial chunks per scan, or more so that none is longer
-    std::uint32_t longest_chunk = ~0U;  ///< than this; not in the table, a quirk's
+    std::uint32_t scan_chunks = 16;     ///< least number of serial chunks per scan
+    std::uint32_t longest_chunk = ~0U;  ///< most elements of a chunk; a quirk sets it
     std::uint32_t scan_tile = 64;       ///< work-group size of a tile; a power of two
     std::uint32_t scan_per_item = 8;    ///< values per work-item of a tile
     std::uint32_t local_size = 256;     ///< work-group size of kernels with a work-item per element
@@ -122,7 +131,7 @@ struct Tuning {
     std::uint32_t depth_workers = 64;   ///< work-items that take such tiles, one after the other
     std::uint32_t depth_clusters = ~0U; ///< clusters of triangles that one launch draws
     bool depth_each = false;            ///< each triangle draws itself, not tiles all of them
-    bool long_atomics = false;          ///< by minima of 64 bits; not in the table: a device's
+    bool long_atomics = false;          ///< so by minima of 64 bits; a device sets it
     bool stroke_pixels = false;         ///< pixels draw all strokes over them, not tiles
     std::uint32_t halo_lanes = 16;      ///< lines tested at a time: 1, 8 or 16
     std::uint32_t face_lanes = 16;      ///< faces tested at a time: 1, 4, 8 or 16
@@ -171,10 +180,17 @@ class LINEATLAS_API Device {
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
+    /// @name What it is
+    /// @{
+
     /// "cpp", or "opencl: <device> (<platform>)".
     virtual std::string description() const = 0;
     /// How the library is to launch its kernels here; always the same.
     virtual const Tuning& tuning() const = 0;
+
+    /// @}
+    /// @name Memory
+    /// @{
 
     /// Device memory; its content is undefined. Never smaller than 16 bytes.
     virtual std::unique_ptr<Buffer> allocate(std::size_t bytes) = 0;
@@ -190,6 +206,10 @@ class LINEATLAS_API Device {
     virtual void begin_host_access(Buffer& buffer) = 0;
     /// Ends what begin_host_access() began: the memory is the device's again.
     virtual void end_host_access(Buffer& buffer) = 0;
+
+    /// @}
+    /// @name Transfers
+    /// @{
 
     /// Copies `data` into the buffer, from the byte `offset` on. `data` may be changed once this
     /// returns.
@@ -212,11 +232,19 @@ class LINEATLAS_API Device {
     /// Sets the first `bytes` bytes, a multiple of 4, to 0.
     virtual void clear(Buffer& buffer, std::size_t bytes) = 0;
 
+    /// @}
+    /// @name Work
+    /// @{
+
     /// Runs a kernel over `launch.items` work-items.
     virtual void launch(const Launch& launch) = 0;
 
     virtual void flush() = 0;  ///< starts what was submitted
     virtual void finish() = 0; ///< waits until all of it is done
+
+    /// @}
+    /// @name Times and tables
+    /// @{
 
     /// Keeps the times of all commands until end_log(), for a profile. Returns null if the device
     /// keeps no times.
@@ -227,10 +255,11 @@ class LINEATLAS_API Device {
     /// What the library keeps here, in the order in which names came up. Stays until the next
     /// buffer is made.
     const std::deque<TableMemory>& tables() const { return tables_; }
+    /// @}
 
   private:
     friend class TableList;
-    std::deque<TableMemory> tables_; ///< which buffers point into
+    std::deque<TableMemory> tables_; // buffers point to its elements
 };
 
 /// A kind of device that can be chosen by its name.

@@ -2,6 +2,13 @@
 
 #include <string>
 
+/// @file
+/// The choice of the compute device, and of its way to share buffers with GL.
+/// @code{.cpp}
+/// Renderer here{{.compute = "opencl", .device = "opencl:portable", .interop = "copy"}};
+/// LineVisibility there{lines, {.compute = "cpp"}};
+/// @endcode
+
 namespace lineatlas {
 
 /// The compute backend, its device, and how it shares buffers with GL. Empty members mean the best

@@ -5,6 +5,16 @@
 
 #include "lineatlas/export.hpp"
 
+/// @file
+/// The exceptions of the library.
+/// @code{.cpp}
+/// try {
+///     renderer.draw(camera, options, framebuffer);
+/// } catch (const DeviceError& error) { // the machine cannot; a UsageError would be the program's
+///     std::cerr << error.what() << '\n';
+/// }
+/// @endcode
+
 namespace lineatlas {
 
 /// Base of every exception the library throws on purpose. The message is one line that names the

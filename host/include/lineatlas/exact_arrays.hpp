@@ -9,6 +9,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// Meshes of a program's own doubles, which may lie far from zero.
+/// @code{.cpp}
+/// const std::vector<double> survey{500000.25, 0, 0, 500001.25, 0, 0, 500000.25, 1, 0};
+/// const ExactMesh placed = make_mesh(ExactArrays{.positions = survey});
+/// const LineSet lines_there = extract_lines(placed.mesh); // relative to placed.origin
+/// @endcode
+
 namespace lineatlas {
 
 /// As MeshArrays, for coordinates that need more digits than floats have, such as those of surveys,

@@ -8,12 +8,19 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/io.hpp"
 
+/// @file
+/// Parts of a model that stand apart.
+/// @code{.cpp}
+/// LoadedMesh model = load_mesh("gearbox.step");
+/// explode(model, {.factor = 1.5, .moves = {{.part = "Bolt*", .by = {0, 0, 20}}}});
+/// @endcode
+
 namespace lineatlas {
 
 /// A move of a part by hand, in place of the move outwards.
 struct PartMove {
-    /// A name, or names that follow each other in its path: "Bolt*" is any bolt, and what is in it
-    /// goes with it. `*` stands for any letters, `?` for one.
+    /// A name, or consecutive names of its path: "Bolt*" moves every bolt with all parts inside it.
+    /// `*` stands for any letters, `?` for one.
     std::string part;
     glm::dvec3 by{0}; ///< in model units, in addition to the move of the assembly that holds it
 };

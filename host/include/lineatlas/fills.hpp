@@ -12,6 +12,11 @@
 
 /// @file
 /// Fills of drawings as paths: areas of what is seen, one for each part and colour.
+/// @code{.cpp}
+/// LineVisibility visibility{lines};
+/// VectorDrawing drawing = make_vector_drawing(lines, camera, visibility.find(camera), style);
+/// drawing.fills = find_fills(lines, camera, {.mode = FillMode::lambert});
+/// @endcode
 
 namespace lineatlas {
 

@@ -8,6 +8,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/lines.hpp"
 
+/// @file
+/// The points that a camera frames for a whole model.
+/// @code{.cpp}
+/// const Framing framing = framing_of(lines);
+/// const View all = frame_points(framing.points, size);
+/// if (!framing.note.empty()) std::cerr << framing.note << '\n';
+/// @endcode
+
 namespace lineatlas {
 
 /// The points that a camera should show to frame a whole model.

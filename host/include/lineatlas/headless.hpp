@@ -4,6 +4,13 @@
 
 #include "lineatlas/export.hpp"
 
+/// @file
+/// A GL context without a window.
+/// @code{.cpp}
+/// HeadlessContext context; // current from here on
+/// Renderer offscreen;      // in this context; draw into a framebuffer of your own
+/// @endcode
+
 namespace lineatlas {
 
 /// A GL 4.5 core context without a window or a display server (EGL surfaceless). It is current on

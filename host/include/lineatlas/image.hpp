@@ -5,6 +5,13 @@
 
 #include <glm/vec2.hpp>
 
+/// @file
+/// Pictures in memory.
+/// @code{.cpp}
+/// const Image grey{.size = {1, 2}, .channels = 1, .pixels = {0, 255}}; // black over white
+/// renderer.set_pen_image("./chalk.png", grey);
+/// @endcode
+
 namespace lineatlas {
 
 /// 8-bit pixels, rows from top to bottom, `channels` interleaved values per pixel: grey, grey and

@@ -13,12 +13,20 @@
 #include "lineatlas/loaded_mesh.hpp"
 #include "lineatlas/progress.hpp"
 
+/// @file
+/// Models and pictures, from files and to files.
+/// @code{.cpp}
+/// const LoadedMesh model = load_mesh("house.obj");
+/// for (const std::string& note : model.notes) std::cerr << note << '\n';
+/// write_image("grey.png", Image{.size = {1, 2}, .channels = 1, .pixels = {0, 255}});
+/// @endcode
+
 namespace lineatlas {
 
 /// How models are read.
 struct LoadOptions {
-    /// For STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres.
-    /// If the file names no unit, it is in the file's own. 0: a quarter of one of `pixels`.
+    /// For STEP, IGES and BREP: how far a triangle's side may be off a curved face, in millimetres,
+    /// or in the file's own unit if the file names none. 0: a quarter of one of `pixels`.
     double deflection = 0;
     /// The length in pixels at which the diagonal of such a model is drawn, 1 to 1e6. The default
     /// is the diagonal of a picture of 1024 x 768.

@@ -8,16 +8,20 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/profile.hpp"
 
-// Why kernels take their time: the counted bytes and operations of each kernel, compared with what
-// the machine reaches. The counts do not depend on the device, since every device runs the same
-// kernels:
-//
-//     register_counting_device();
-//     renderer.set_device({.compute = "counting"});
-//     renderer.draw(camera, options, framebuffer); // tables grow
-//     take_launch_counts();
-//     renderer.draw(camera, options, framebuffer);
-//     const auto kernels = kernel_times(profiles, take_launch_counts(), roofs);
+/// @file
+/// Why kernels take their time: the counted bytes and operations of each kernel, compared with what
+/// the machine reaches. The counts do not depend on the device, since every device runs the same
+/// kernels.
+/// @code{.cpp}
+/// register_counting_device();
+/// renderer.set_device({.compute = "counting"});
+/// renderer.draw(camera, options, framebuffer); // tables grow
+/// take_launch_counts();
+/// renderer.draw(camera, options, framebuffer);
+/// const Roofs roofs{profiles.back().copy_gigabytes_per_second, measure_arithmetic()};
+/// std::cout << kernel_table(kernel_times(profiles, take_launch_counts(), roofs), roofs);
+/// @endcode
+
 namespace lineatlas {
 
 /// The work of one launch of a kernel.

@@ -17,6 +17,14 @@
 #include "lineatlas/progress.hpp"
 #include "segment_table.h"
 
+/// @file
+/// The lines of a mesh.
+/// @code{.cpp}
+/// LineSet found = extract_lines(mesh, {.crease = 0.7F}); // radians
+/// std::cout << found.segments.size() << " segments in " << found.path_count << " paths\n";
+/// move_vertices(found, new_positions); // the mesh bends, and keeps its triangles
+/// @endcode
+
 namespace lineatlas {
 
 /// Where a line comes from. An edge that qualifies as several kinds takes the first of: file,
@@ -152,8 +160,8 @@ struct Contours {
     /// Indices into `edges`, around the triangle of each such segment; with LA_CONTOUR_TURNED for
     /// an edge that runs the other way.
     std::vector<glm::uvec3> faces;
-    /// The number of segments, before those of the contours, that are the same silhouettes along
-    /// edges.
+    /// The number of segments just before those of the contours that stand for the same
+    /// silhouettes, along edges.
     std::uint32_t replaced = 0;
     /// The surfaces on which silhouettes by the exact method lie, with one entry for each of
     /// `faces` in place of a triangle of the mesh. Empty: silhouettes go by normals.
@@ -189,7 +197,7 @@ struct LineSet {
     OddTriangles odd{}; ///< what was left out or repaired
     LeftOut left_out{}; ///< what might have been a line
     LineTimes times{};  ///< how long the steps took
-    /// Behind the other vertices of their object.
+    /// Vertices that are no positions of the mesh. They follow the others of their object.
     std::vector<CutVertex> cut_vertices{};
     Contours contours{}; ///< see LineOptions::silhouettes
     float precision = 0; ///< Mesh::precision

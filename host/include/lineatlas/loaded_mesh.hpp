@@ -9,6 +9,13 @@
 
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// The content of a model's file.
+/// @code{.cpp}
+/// const LoadedMesh model = load_mesh("gearbox.step");
+/// for (const ModelPart& part : model.parts) std::cout << part.name << '\n';
+/// @endcode
+
 namespace lineatlas {
 
 /// A part of a model: a node of a glTF scene, or an instance in an assembly.

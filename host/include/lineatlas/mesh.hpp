@@ -13,6 +13,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/surface.hpp"
 
+/// @file
+/// Meshes, also of a program's own arrays.
+/// @code{.cpp}
+/// Mesh own = make_mesh({.positions = vertices, .stride = 6, .indices = indices});
+/// const std::vector<glm::vec3> wire{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+/// add_polyline(own, wire);
+/// @endcode
+
 namespace lineatlas {
 
 /// The object and the material of triangles. A mesh edge between two different groups is a material

@@ -1,7 +1,14 @@
 #pragma once
 
-// For programs that use OpenMesh. This header includes nothing of OpenMesh, and it makes no library
-// of lineatlas depend on OpenMesh. Include the kernel of your meshes, too.
+/// @file
+/// For programs that use OpenMesh. This header includes nothing of OpenMesh, and makes no library
+/// of lineatlas depend on it. Include the kernel of your meshes, too.
+/// @code{.cpp}
+/// OpenMeshModel model{part};
+/// model.set_groups(material_of_face);
+/// const LineSet found = extract_lines(model.mesh());
+/// const auto edge = model.edge(found.sources.front()); // the way back
+/// @endcode
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,14 @@
 
 #include "lineatlas/lines.hpp"
 
+/// @file
+/// The line or the face at a point of a picture.
+/// @code{.cpp}
+/// LineVisibility visibility{lines};
+/// if (const std::optional<Pick> pick = visibility.pick(camera, {320, 240}, 4))
+///     std::cout << (pick->kind ? "a line" : "a face") << " of object " << pick->object << '\n';
+/// @endcode
+
 namespace lineatlas {
 
 /// The thing at a point of a picture: a line near the point, or else the face of a triangle.

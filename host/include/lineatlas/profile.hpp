@@ -8,6 +8,16 @@
 
 #include "lineatlas/export.hpp"
 
+/// @file
+/// Times of frames: of stages, GL passes, kernels and transfers.
+/// @code{.cpp}
+/// options.profile = true;
+/// renderer.draw(camera, options, framebuffer);
+/// const std::vector<FrameProfile> taken = renderer.take_profiles();
+/// std::cout << profile_table(taken);
+/// std::ofstream{"trace.json"} << profile_trace(taken, renderer.description());
+/// @endcode
+
 namespace lineatlas {
 
 /// Which part of the machine works.
@@ -66,7 +76,7 @@ struct FrameProfile {
 
 /// A stage's share of a frame. Every moment of the frame belongs, in equal parts, to the stages
 /// whose kernels or passes run then; if none runs, to the hand-over, or else to the stage that the
-/// host works on. So shares add up to the frame, less the time that belongs to no stage.
+/// host works on. So the shares add up to the frame, less the time that belongs to no stage.
 struct StageShare {
     std::string stage;  ///< as in docs/architecture.md
     double nanoseconds; ///< time of the frame that belongs to the stage

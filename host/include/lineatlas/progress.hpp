@@ -5,6 +5,15 @@
 #include "lineatlas/error.hpp"
 #include "lineatlas/export.hpp"
 
+/// @file
+/// The progress of a call that takes long, and how it is stopped.
+/// @code{.cpp}
+/// try {
+///     extract_lines(mesh, {}, [&](float done) { return show(done), !stop; });
+/// } catch (const Cancelled&) { // the program said stop
+/// }
+/// @endcode
+
 namespace lineatlas {
 
 /// A function that a long call calls with the share of its work that is done, from 0 to 1. The

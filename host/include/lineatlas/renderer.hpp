@@ -23,6 +23,15 @@
 #include "lineatlas/progress.hpp"
 #include "lineatlas/style.hpp"
 
+/// @file
+/// Drawing lines in OpenGL, over the program's own picture and by its own depth if it likes.
+/// @code{.cpp}
+/// renderer.set_lines(lines);
+/// options.style.pen.width = 3;
+/// options.own_depth = DepthTexture{.texture = depth_texture};
+/// renderer.draw({view, projection, size}, options, bound_framebuffer); // each frame
+/// @endcode
+
 namespace lineatlas {
 
 class Assembly;
@@ -178,6 +187,13 @@ class LINEATLAS_API Renderer {
     /// The context of the old renderer must be current, because that renderer is destroyed.
     Renderer& operator=(Renderer&&) noexcept;
 
+    /// @name The device
+    /// @code{.cpp}
+    /// std::cout << renderer.description() << '\n' << renderer.note() << '\n';
+    /// renderer.set_device({.compute = "cpp"});
+    /// @endcode
+    /// @{
+
     /// The compute backend in use and how it shares buffers, for people.
     std::string description() const;
 
@@ -204,6 +220,16 @@ class LINEATLAS_API Renderer {
     };
     /// Counted from the renderer's first frame.
     Comparison comparison() const;
+
+    /// @}
+    /// @name Lines, pens and objects
+    /// @code{.cpp}
+    /// renderer.set_lines(lines);
+    /// renderer.set_transforms(std::vector<glm::mat4>(lines.objects.size(), glm::mat4{1}));
+    /// renderer.set_positions(first_vertex, new_positions); // the shape changes
+    /// renderer.set_hidden(std::vector<std::uint32_t>{3, 7}); // all other objects are shown
+    /// @endcode
+    /// @{
 
     /// Gives the picture for pens whose Pen::mark is `mark`. Throws UsageError if `mark` is not the
     /// name of a file (it needs a `/` or a `.`), or if the picture is empty.
@@ -239,6 +265,14 @@ class LINEATLAS_API Renderer {
     /// an object that does not exist; then nothing has changed.
     void set_hidden(std::span<const std::uint32_t> objects);
 
+    /// @}
+    /// @name Drawing
+    /// @code{.cpp}
+    /// renderer.prepare(options); // no frame has to wait for kernels
+    /// const FrameStats stats = renderer.draw(camera, options, bound_framebuffer);
+    /// @endcode
+    /// @{
+
     /// Builds all kernels that frames with these options need, whatever the lines and the camera
     /// are, so that no draw() with these options builds any. May be called before set_lines().
     /// After set_lines() it also builds the forms that PoCL needs for 65,536 and more segments,
@@ -267,6 +301,16 @@ class LINEATLAS_API Renderer {
     /// false; the renderer can still be used then. Throws UsageError as draw() does.
     FrameStats draw_tiles(const Camera& camera, const FrameOptions& options,
                           const TileTarget& target);
+
+    /// @}
+    /// @name Results of the last frame
+    /// @code{.cpp}
+    /// options.intervals = KeptIntervals::visible;
+    /// renderer.draw(camera, options, framebuffer);
+    /// for (const Interval& piece : renderer.read_intervals()) std::cout << piece.segment << '\n';
+    /// if (const auto pick = renderer.pick({320, 240}, 4)) std::cout << pick->object << '\n';
+    /// @endcode
+    /// @{
 
     /// The visibility of every sample of a frame in order of the segment table.
     struct Samples {
@@ -312,6 +356,7 @@ class LINEATLAS_API Renderer {
     /// call waits for the times of the last frame. Frames more than four behind are dropped, and
     /// counted.
     std::vector<FrameProfile> take_profiles(bool wait = true);
+    /// @}
 
   private:
     class LINEATLAS_LOCAL State;

@@ -9,6 +9,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// The built-in models.
+/// @code{.cpp}
+/// const Scene ship = make_scene("ship");
+/// const LineSet its_lines = extract_lines(ship.mesh);
+/// const Camera first = make_camera(ship.view(0), size, its_lines.bounds);
+/// @endcode
+
 namespace lineatlas {
 
 /// A built-in procedural model with the camera path of its measurements (Table 1). It is the same

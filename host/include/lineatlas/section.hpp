@@ -10,6 +10,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// Meshes cut by planes, closed and hatched.
+/// @code{.cpp}
+/// const SectionPlane plane = parse_section("+x=50%", bounds_of(mesh));
+/// const Section half = cut_mesh(mesh, {{plane}}, {.angle = 30});
+/// const LineSet its_lines = extract_lines(half.mesh);
+/// @endcode
+
 namespace lineatlas {
 
 /// A plane that cuts a model.

@@ -22,6 +22,17 @@
 /// Sheets: several views of one model on one page, as workshops expect them. lay_out_sheet() places
 /// the views and chooses their cameras, make_vector_sheet() draws the views, and to_svg() and
 /// to_dxf() write the sheet.
+/// @code{.cpp}
+/// LineVisibility visibility{lines};
+/// const SheetLayout layout = lay_out_sheet(lines.vertices, {.views = {"front", "top"}});
+/// const VectorSheet sheet = make_vector_sheet(
+///     lines, layout,
+///     [&](const SheetView& shown) {
+///         return SeenLines{visibility.find(shown.camera, {.hidden = true})};
+///     },
+///     load_style("technical"));
+/// std::ofstream{"sheet.svg"} << to_svg(sheet);
+/// @endcode
 
 namespace lineatlas {
 
@@ -82,11 +93,12 @@ struct SheetOptions {
     /// Sides to look from, as view_direction() takes them, each once, 64 at most. The six named
     /// sides are aligned with the front; any other side is a pictorial view, which shows no hidden
     /// lines and is placed where there is room. "section:x=12" is a section: the model cut by a
-    /// plane, as parse_section() takes it, seen from the side that is cut away; by "section:x=12"
-    /// the front, the right or the top. It stands where that side would stand, or on the right of
+    /// plane, as parse_section() takes it, seen from the side that is cut away. A plane without a
+    /// sign cuts away the side from which the front, the right or the top looks. The section stands
+    /// where the view from that side would stand, or to the right of that view if the sheet has
     /// it. A section that no named side looks at, as "section:0,0,0/1,1,0", is placed where there
-    /// is room, turned about the line of its plane. The first view that shows the plane as a line
-    /// has that line; if there is one, an aligned view.
+    /// is room, turned about the line of its plane. That line is drawn on the first aligned view
+    /// that shows the plane as a line, or else on the first pictorial one.
     std::vector<std::string> views{"front", "top", "right", "isometric"};
     /// Views that stand elsewhere than the angle of projection says, or have another scale; each
     /// view at most once.
@@ -200,10 +212,10 @@ struct SeenLines {
     /// pens for outlines needs them.
     std::vector<OutlinePart> outlines{};
     std::vector<VectorFill> fills{}; ///< of a style that fills: find_fills() finds them
-    /// For a section, the lines of the model that was cut. The function that found them owns them,
+    /// For a section, the lines of the model after the cut. The function that found them owns them,
     /// and keeps them until it is called for the next view.
     const LineSet* lines = nullptr;
-    const Mesh* mesh = nullptr; ///< of a section, the model that was cut, as long-lived as `lines`
+    const Mesh* mesh = nullptr; ///< for a section, the model after the cut; lives as `lines` do
 };
 
 /// Finds what `camera` sees of lines. Hidden intervals are needed too, because a style may close
@@ -219,8 +231,8 @@ struct VectorSheet {
     SheetLayout layout; ///< where they stand; with the lines and texts of measures, if it has them
     std::vector<VectorDrawing> drawings; ///< one for each of SheetLayout::views
     /// Of a layout with measures: the model's overall sizes along its axes in millimetres, as the
-    /// aligned views show them: of round bodies the true ones, not those of chords. 0 along an axis
-    /// that no aligned view shows.
+    /// aligned views show them. Sizes of round bodies are true ones, not those of chords. 0 along
+    /// an axis that no aligned view shows.
     glm::dvec3 model_size{0};
 };
 

@@ -11,6 +11,15 @@
 
 #include "style_numbers.h"
 
+/// @file
+/// The look of a drawing: pens, changes along lines, density, fill, paper.
+/// @code{.cpp}
+/// Style red = default_style();
+/// red.pen.color = {0.7F, 0.1F, 0.1F};
+/// red.filter.overshoot = 6;
+/// red.pens.push_back({.match = {.kinds = {"outline"}}, .width = 5});
+/// @endcode
+
 namespace lineatlas {
 
 /// How two segments of a path meet.
@@ -74,7 +83,7 @@ struct Paper {
 };
 
 /// Style that varies with the distance from a focus (§6, Fig. 13). Between `radius` and `radius` +
-/// `falloff` everything goes smoothly from its own value to its value far away.
+/// `falloff` each number changes smoothly from its own value to its value far away.
 struct Focus {
     bool on = false;       ///< false: all is near
     bool in_scene = false; ///< `point` is one of the model, else one of the window
@@ -83,7 +92,7 @@ struct Focus {
     glm::dvec3 point{0.5, 0.5, 0};
     /// Shares of the window's height, or of the model's diagonal; 0 to 1000.
     float radius = 0.2F;
-    float falloff = 0.3F;     ///< the same
+    float falloff = 0.3F;     ///< from the end of `radius` to far away, in the same unit
     float width = 0.5F;       ///< factor of the width far away, 0 to 100
     float opacity = 0.4F;     ///< factor of the opacity far away, 0 to 1
     float hidden_opacity = 0; ///< factor of the hidden lines' opacity far away, 0 to 1

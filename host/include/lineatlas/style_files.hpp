@@ -7,6 +7,14 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/style.hpp"
 
+/// @file
+/// Styles by name, from files and to files.
+/// @code{.cpp}
+/// Style pencil = load_style("pencil"); // or the path of a TOML file
+/// apply_setting(pencil, "width=3");
+/// std::ofstream{"mine.toml"} << write_style(pencil, "Soft pencil");
+/// @endcode
+
 namespace lineatlas {
 
 /// A style of lineatlas by its name, or a TOML file by its path (docs/styles.md). Image files of

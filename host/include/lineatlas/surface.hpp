@@ -13,6 +13,14 @@
 
 #include "lineatlas/export.hpp"
 
+/// @file
+/// Surfaces of exact geometry, as files of STEP, IGES and BREP have them.
+/// @code{.cpp}
+/// KnownSurfaces known; // a cylinder of radius 1 about z
+/// known.shapes.push_back({.axis = {0, 0, 1}, .curve = {.point = {1, 0, 0}, .u = {0, 0, 1}}});
+/// known.surfaces.push_back({.shape = 0});
+/// @endcode
+
 namespace lineatlas {
 
 /// Degree and knots of a B-spline in one direction.

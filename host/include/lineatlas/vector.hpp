@@ -17,6 +17,16 @@
 #include "lineatlas/style.hpp"
 #include "segment_table.h"
 
+/// @file
+/// Drawings as paths, and how they become SVG, DXF and JSON.
+/// @code{.cpp}
+/// LineVisibility visibility{lines};
+/// const VectorDrawing drawing = make_vector_drawing(
+///     lines, camera, visibility.find(camera, {.hidden = true}), style, {.mesh = &mesh});
+/// std::ofstream{"drawing.svg"} << to_svg(drawing, {.page = parse_page("a4")});
+/// std::ofstream{"drawing.dxf"} << to_dxf(drawing, {.page = parse_page("a3")});
+/// @endcode
+
 namespace lineatlas {
 
 /// A point of a drawing.
@@ -31,9 +41,9 @@ struct VectorPoint {
 /// Where a piece of a path comes from.
 struct VectorPiece {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no group
-    std::uint32_t point = 0;   ///< the piece lies between this point of the path and the next one:
-    float from = 0;            ///< it starts at this share of the way between them, 0 to 1,
-    float to = 1;              ///< and ends at this one
+    std::uint32_t point = 0;   ///< the piece lies between this point of the path and the next one
+    float from = 0;            ///< share of the way between these points where it starts, 0 to 1
+    float to = 1;              ///< the share where it ends
     std::uint32_t segment = 0; ///< index into LineSet::segments
     LineSource source{};       ///< in the mesh, in the direction of the path
     /// For a smooth silhouette, a ridge or a valley, which runs through `source.triangle` and has
@@ -73,8 +83,8 @@ struct VectorCubic {
 /// A part of a path that is round.
 struct VectorCurve {
     static constexpr std::uint32_t none = 0xFFFFFFFF; ///< no edge
-    std::uint32_t first = 0;                          ///< it begins at this point of the path,
-    std::uint32_t last = 0; ///< and ends at this one; the points between lie on it
+    std::uint32_t first = 0;                          ///< point of the path where it begins
+    std::uint32_t last = 0; ///< point of the path where it ends; those between lie on it
     /// The file's curve (Mesh::edge_curves), or the circle that a mesh was cut from, on the screen;
     /// pixels.
     VectorArc arc{};
@@ -89,7 +99,7 @@ struct VectorPath {
     LineKind kind = LineKind::crease; ///< kind of the whole path
     bool visible = true;              ///< visible all along; else hidden all along
     bool closed = false;              ///< the last point is where the first one is
-    bool outline = false;             ///< has background beside it all along, and no hole
+    bool outline = false;             ///< has background beside it all along; never of a hole
     /// Left out where lines are dense (Style::density): files have the path on a layer that is not
     /// shown.
     bool thinned = false;
@@ -135,7 +145,7 @@ struct VectorDrawing {
     std::vector<VectorPath> paths;     ///< in the order in which they are drawn
     std::optional<PenTravel> travel{}; ///< of a drawing for a plotter, which has no thinned paths
     double thinned_share = 0;          ///< of the length of all lines: VectorPath::thinned
-    /// Under the lines, none over another: find_fills() finds them.
+    /// Areas under the lines, which do not overlap; find_fills() finds them.
     std::vector<VectorFill> fills{};
 };
 

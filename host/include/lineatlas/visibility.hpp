@@ -18,6 +18,14 @@
 #include "lineatlas/progress.hpp"
 #include "segment_table.h"
 
+/// @file
+/// Visible parts of lines by the exact method, without GL and OpenCL.
+/// @code{.cpp}
+/// LineVisibility visibility{lines};
+/// for (const Interval& piece : visibility.find(camera, {.hidden = true}))
+///     if ((piece.flags & LA_INTERVAL_VISIBLE) != 0U) std::cout << piece.segment << '\n';
+/// @endcode
+
 namespace lineatlas {
 
 class Assembly;
@@ -54,6 +62,14 @@ class LINEATLAS_API LineVisibility {
     LineVisibility(LineVisibility&&) noexcept;
     LineVisibility& operator=(LineVisibility&&) noexcept; ///< the same
 
+    /// @name Lines and objects
+    /// @code{.cpp}
+    /// visibility.set_lines(lines);
+    /// visibility.set_transforms(std::vector<glm::mat4>(lines.objects.size(), glm::mat4{1}));
+    /// visibility.set_hidden(std::vector<std::uint32_t>{3, 7});
+    /// @endcode
+    /// @{
+
     /// The compute backend in use, for people.
     std::string description() const;
 
@@ -72,6 +88,15 @@ class LINEATLAS_API LineVisibility {
     /// Hides these objects and shows all others, as Renderer::set_hidden() does, and throws as it
     /// does.
     void set_hidden(std::span<const std::uint32_t> objects);
+
+    /// @}
+    /// @name What a camera sees
+    /// @code{.cpp}
+    /// const auto found = visibility.find(camera, {.hidden = true, .outlines = true});
+    /// const VectorDrawing drawing =
+    ///     make_vector_drawing(lines, camera, found, style, {.outlines = visibility.outlines()});
+    /// @endcode
+    /// @{
 
     /// The visible pieces of the lines that `camera` sees, in order of LineSet::segments and along
     /// each; with VisibilityOptions::hidden the hidden ones too. They equal those of
@@ -93,6 +118,7 @@ class LINEATLAS_API LineVisibility {
     /// where no face hides an infinitely far point half a pixel beside the line. In the order of
     /// the pieces. Empty unless VisibilityOptions::outlines asked for them.
     const std::vector<OutlinePart>& outlines() const;
+    /// @}
 
   private:
     class LINEATLAS_LOCAL State;

@@ -8,6 +8,12 @@
 #include "lineatlas/export.hpp"
 #include "lineatlas/mesh.hpp"
 
+/// @file
+/// The volume that a mesh encloses.
+/// @code{.cpp}
+/// if (const std::optional<double> volume = enclosed_volume(mesh)) std::cout << *volume << '\n';
+/// @endcode
+
 namespace lineatlas {
 
 /// The volume that triangles enclose, in cubes of the unit of `positions`; negative if they are
