@@ -32,8 +32,8 @@ static float3 seen_direction(const float3 from, const float3 to, const float4 ey
     return length > 0.0f ? across / length : float3(0.0f, 0.0f, 0.0f);
 }
 
-/* Returns in which other end `own` goes on, if more than two ends meet at a vertex, or `own` if in
- * none. The straightest pair is joined first, then the straightest of those that are left. */
+/* Returns the end in which `own` goes on at a vertex where more than two ends meet, or `own` if
+ * there is none. The straightest pair is joined first, then the straightest of the other ends. */
 static int straightest_partner(const int own, const float3* directions, const int count) {
     uint left = (1u << count) - 1u;
     for (int joined = 0; joined < count / 2; ++joined) {

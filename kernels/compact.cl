@@ -20,8 +20,8 @@ static uint run_end(__global const uchar* alpha, const uint a, const uint l, con
 }
 
 /* counts[b]: runs in block b of `block` segments. Runs are of visible samples, or of hidden ones if
- * hidden is 1. Then a segment that was dropped because all of it is hidden is one run. A segment
- * beyond the atlas has no runs. */
+ * hidden is 1. If hidden is 1, a segment that was dropped as hidden is one run. A segment beyond
+ * the atlas has no runs. */
 KERNEL(compact_count, CompactParameters) {
     const uint b = (uint)get_global_id(0);
     const uint first = b * args.block;

@@ -71,7 +71,7 @@ typedef struct Target {
     __global DepthTexel* texels;
 } Target;
 
-/* Of the texels of `depth` the first beyond the tiles. */
+/* The first texel of `depth` beyond the tiles. */
 static int2 end_of_tiles(const DepthParameters* args) {
     const int2 low = to_int2(args->covered), tiles = to_int2(args->tiles);
     const int2 size = to_int2(args->depth_size);

@@ -30,7 +30,7 @@ typedef struct Tile {
     __global float* pyramid;
     __global uchar* blank;
     int blocks_a_row;
-    /* Of each block the farthest depth, or something farther while it is stale. */
+    /* The farthest depth of each block; of a stale block that or something farther. */
     float farthest[TILE_BLOCKS * TILE_BLOCKS];
     uchar state[TILE_BLOCKS * TILE_BLOCKS];
 } Tile;

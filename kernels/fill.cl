@@ -14,8 +14,9 @@
 #include "shared/lanes.h"
 #include "shared/meshlet_faces.h"
 
-/* Light adds up linearly, colours are coded for the screen: x to the power of 1 / 2.2, 0 and 1 as
- * they are, between them off by at most 2e-4. Of x^(1/4) that is nearly a parabola. */
+/* Light adds up linearly, and colours are coded for the screen: x to the power of 1 / 2.2. As a
+ * function of x^(1/4) that is nearly a parabola. The result is exact at 0 and 1, and off by at most
+ * 2e-4 between them. */
 #define CODED_BEND(t) (((0.188157f * t - 0.397165f) * t + 0.374439f) * t - 0.976627f)
 static lanes_float coded(const lanes_float x) {
     const lanes_float one = 1.0f, t = SQUARE_ROOT(SQUARE_ROOT(x));

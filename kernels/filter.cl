@@ -154,15 +154,15 @@ static float ink_near(const Work* work, uint r, const float place, const bool fo
     return sum;
 }
 
-/* Overshoot beside so much ink, of `most` pixels: that of a crumb, which comes and goes with every
- * texel, would make a long stroke flash up. */
+/* The overshoot beside so much ink, at most `most` pixels. It grows with the square of the ink: a
+ * crumb comes and goes with every texel, and a long overshoot of it would flash up. */
 static float overshoot_beside(const float ink, const float most) {
     return fmin(ink * ink / most, most);
 }
 
-/* Where the overshoot of run r's end starts. Samples that fade out there count by their opacity:
- * an end at the last of them, however faint, would move with each that comes or goes. `end`: of the
- * run, which is also that of one without a sample shown in full near its end. */
+/* Where the overshoot of run r's end starts. Samples that fade out there count by their opacity. If
+ * the overshoot started at the last sample, however faint, it would move with each sample that
+ * comes or goes. `end`: the run's end, the result if no sample near it is shown in full. */
 static float overshoot_start(const Work* work, const uint r, const bool at_end, const float end) {
     if (shown_across(work->frame.segments, work->runs, work->run_count, r, at_end)) return end;
     __global const Run* run = work->runs + r;
@@ -378,7 +378,8 @@ static float path_share(const uint path) {
     return (float)(h >> 8) * (1.0f / 16777216.0f);
 }
 
-/* True if a stroke is long enough to be drawn. A stroke that is cut off may be. */
+/* True if a stroke is long enough to be drawn. A stroke that is cut off
+ * counts as long enough, because its length is not known. */
 static bool is_drawn(const Work* work, const Stroke* stroke, const float drop_runs) {
     const uint tag = work->frame.segments[work->first].tag;
     const float length = stroke->end - stroke->start, height = work->frame.viewport.y;

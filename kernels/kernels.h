@@ -57,8 +57,8 @@ typedef struct FacingParameters {
 #define facing_tables(in, out, inout, unordered) \
     in(float, vertices) in(uint, triangles) out(uchar, front)
 
-/* Neighbours in the table of segments, or of triangles. They are looked at together before any of
- * them is looked at alone. */
+/* A batch: neighbours in the table of segments, or of triangles. They are tested together before any
+ * of them is tested alone. */
 #define LA_BATCH 64u
 typedef struct Batch {
     float low[3], high[3]; /* the box around them; for segments also around the faces beside them */

@@ -158,7 +158,7 @@ INLINED void make_stroke(const StrokesParameters* args, __global const Run* run,
     thin_out(args, run, weights, s);
 }
 
-/* The same of a run whose `box` holds what takes long to find. */
+/* The same for a run whose `box` holds the numbers that take long to compute. */
 INLINED void make_known_stroke(const StrokesParameters* args, __global const Run* run,
                                const StrokeBox box, Stroke* s) {
     shape_stroke(args, run, s);

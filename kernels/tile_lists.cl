@@ -263,7 +263,8 @@ KERNEL(tile_lists_arrange, ExactParameters) {
     }
 }
 
-/* The key of an entry among those of all tiles, and how many each has. keys: all 0 before. */
+/* Gives each entry its key among those of all tiles, and counts the entries of each key. keys: all
+ * 0 before. */
 KERNEL(tile_lists_keys, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
@@ -278,7 +279,7 @@ KERNEL(tile_lists_keys, ExactParameters) {
     atomic_inc(keys + key);
 }
 
-/* By keys: these are scanned, and say afterwards where their entries end. */
+/* Places entries by their keys. keys: scanned; afterwards each says where its entries end. */
 KERNEL(tile_lists_place, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
@@ -286,9 +287,9 @@ KERNEL(tile_lists_place, ExactParameters) {
     placed[atomic_inc(keys + entries[i].key)] = entries[i];
 }
 
-/* Puts each entry behind those of its key whose faces stand before its own. Keys have a few
- * entries, where thousands of faces lie behind each other as many; to sort those alone, one after
- * the other, all would wait for. */
+/* Sorts the entries of each key by their faces: an entry counts those that come before it. A key
+ * has a few entries, and thousands where as many faces lie behind each other. Counting shares such
+ * a key among work-items, where sorting would leave it to one. */
 KERNEL(tile_lists_sort, ExactParameters) {
     const uint i = (uint)get_global_id(0);
     const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);

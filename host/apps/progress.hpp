@@ -32,17 +32,17 @@ class Progress {
     Clock::time_point said_ = start_;
 };
 
-/// Says on a terminal which stage of the work a program is at, how much of the stage is done and
-/// how long the rest takes. Elsewhere nothing is said.
+/// Shows on a terminal the stage of a program's work, the share of it that is done and the time
+/// left. Elsewhere it shows nothing.
 class StageLine {
   public:
-    /// Says the stage, in a word or two. More is said by progress().
+    /// Shows the stage, in a word or two, until progress() knows more.
     explicit StageLine(std::string stage);
     ~StageLine() { clear(); }
     StageLine(const StageLine&) = delete;
     StageLine& operator=(const StageLine&) = delete;
 
-    /// For the call that is the stage; this object must outlive it. Empty if nothing is said.
+    /// For the call that does the work; this object must outlive it. Empty if nothing is shown.
     lineatlas::Progress progress();
     /// Removes the line, so that something else can be printed.
     void clear();
@@ -51,7 +51,7 @@ class StageLine {
     using Clock = std::chrono::steady_clock;
 
     void show(Clock::time_point now);
-    /// Seconds. Calls tell the same share for a while, in which time goes on.
+    /// Seconds until the end. The last share may be some time old.
     double left(Clock::time_point now) const;
 
     std::string stage_;

@@ -8,8 +8,8 @@
 
 namespace lineatlas {
 
-/// Per position the index of one that is equal to it, the same for all that are equal; -0 equals 0.
-/// Which of them that is may differ from run to run, since several threads look for it.
+/// Per position the index of an equal one, the same for all equal positions; -0 equals 0. Which
+/// of the equal positions that is may differ from run to run, since several threads look for it.
 std::vector<std::uint32_t> equal_positions(std::span<const glm::vec3> positions);
 
 } // namespace lineatlas

@@ -34,9 +34,9 @@ inline constexpr double smallest_extent = 1e-20;
 bool is_finite(glm::dvec3 position);
 bool is_drawable(glm::dvec3 position);
 
-/// What to take off positions in the box so that floats can hold what is left: zero where it lies
-/// within thirty times its size from zero, else near its middle. Chosen so that nothing is
-/// rounded when it is taken off positions that were floats.
+/// The origin to subtract from positions in the box, so that floats can hold the differences: zero
+/// if the box lies within thirty times its size from zero, else a point near its middle. No
+/// difference to a position that was a float is rounded.
 glm::dvec3 origin_for(const ExactBounds& bounds);
 
 /// The note for people about an origin that is not zero.

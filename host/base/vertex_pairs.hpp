@@ -12,7 +12,7 @@
 
 namespace lineatlas {
 
-/// Items that lie between two vertices each, as edges do, found by those.
+/// Items that each lie between two vertices, as edges do, found by these vertices.
 class VertexPairs {
   public:
     struct Item {

@@ -22,19 +22,19 @@ inline bool boxes_meet(const Bounds& a, const Bounds& b) {
     return (along(0) & along(1) & along(2)) != 0;
 }
 
-/// Boxes around triangles or lines, in a tree of boxes around those: which of them meet a box, and
-/// which meet each other.
+/// A tree of boxes around triangles or lines. Finds the boxes that meet a given box, and the boxes
+/// that meet each other.
 class BoxTree {
   public:
-    /// What belongs to one `owner` is not compared with itself by meeting_pairs(); none: all are
-    /// compared. Visits call box k `numbers[k]`; none: k.
+    /// visit_meeting_pairs() does not compare boxes of one owner; without `owners` it compares all.
+    /// Visits get `numbers[k]` for box k; without `numbers` they get k.
     explicit BoxTree(std::span<const Bounds> boxes, std::span<const std::uint32_t> owners = {},
                      std::span<const std::uint32_t> numbers = {});
 
     static constexpr std::uint32_t nobody = 0xFFFFFFFF; ///< as an owner
 
-    /// Calls visit(i) for every box i that meets `box`, but for those of one owner and those in
-    /// nodes n with !enters(n).
+    /// Calls visit(i) for every box i that meets `box`, except boxes of the owner `but` and boxes
+    /// in nodes n with !enters(n).
     template <class Visit, class Enters>
     void visit_meeting(const Bounds& box, Visit&& visit, std::uint32_t but, Enters&& enters) const {
         any_meeting(
@@ -61,8 +61,8 @@ class BoxTree {
         std::uint32_t a, b;
     };
 
-    /// Parts of the work of visit_meeting_pairs(), which may be done at the same time; in their
-    /// order they visit what a single thread would, in its order.
+    /// Parts of the work of visit_meeting_pairs(), which may be done at the same time. One after
+    /// the other they visit what a single thread would visit, in the same order.
     template <class May>
     std::vector<NodePair> parts_of_pairs(May&& may) const {
         std::vector<NodePair> parts, finer;
@@ -75,8 +75,8 @@ class BoxTree {
         return parts;
     }
 
-    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet, but for
-    /// those in nodes m and n with !may(m, n). Two boxes of one node are in m and m.
+    /// Calls visit(i, j), i < j, once for every two boxes of different owners that meet, except
+    /// those in nodes m and n with !may(m, n). For two boxes of one node, m and n are that node.
     template <class Visit, class May>
     void visit_meeting_pairs(NodePair part, Visit&& visit, May&& may) const {
         part.a == part.b ? visit_within(part.a, visit, may)

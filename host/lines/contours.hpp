@@ -29,20 +29,19 @@ struct ContourInput {
 struct FoundContours {
     Contours contours;                ///< without `replaced`
     std::vector<std::uint32_t> faces; ///< triangle of each of its faces
-    /// Per edge whether it is no candidate any more; empty if no silhouette is smooth.
+    /// Per edge whether smooth silhouettes replace it as a candidate; empty if there are none.
     std::vector<bool> replaces;
 };
 
 /// Finds the smooth patches of a mesh. A patch has triangles that are connected across edges which
 /// may be silhouettes and are no other lines. With Silhouettes::smooth a patch is smooth if it
 /// bends at all. With Silhouettes::automatic a patch is smooth
-/// - where any normals of the surface are known, if it bends and all of its are;
+/// - in a mesh with normals of surfaces, if it bends and all of its normals are known;
 /// - else if nobody designed any of its triangles and it has at least 15,000 of them;
 /// - else if it is of a solid, has at least 64 triangles, less than 30 % of them flat (an edge
-/// bends
-///   by less than 0.5 degrees) and half of them no slivers (lowest altitude above a quarter of the
-///   longest edge), if less than a tenth of its edges bend by more than 15 degrees, and if it bends
-///   at one corner much as at the next.
+///   bends by less than 0.5 degrees) and half of them no slivers (lowest altitude above a quarter
+///   of the longest edge), if less than a tenth of its edges bend by more than 15 degrees, and if
+///   it bends at one corner much as at the next.
 FoundContours find_contours(const ContourInput& input, Silhouettes rule);
 
 } // namespace lineatlas

@@ -19,8 +19,7 @@
 
 namespace lineatlas {
 
-/// Things with numbers, such as triangles, by the island that they are of. Those of an island
-/// ascend.
+/// Numbered things, such as triangles, grouped by island. Numbers of an island ascend.
 class OfIslands {
   public:
     OfIslands() = default;
@@ -37,21 +36,21 @@ class OfIslands {
     std::vector<std::uint32_t> first_, things_, places_;
 };
 
-/// What each triangle belongs to, by which lines between parts are found.
+/// The material, body and object of each triangle. They decide which lines are found between parts.
 struct TriangleOwners {
     std::span<const std::uint32_t> materials; ///< materials_of()
     std::span<const std::uint32_t> bodies;    ///< bodies_of()
     std::span<const std::uint32_t> objects;   ///< objects_of(); may be empty
 };
 
-/// Islands of a model: parts that may touch, and no others. Nothing that is found between parts
-/// (seams, intersections, what is buried) lies between two islands. So it is found once for islands
-/// that are copies of each other, such as the machines of a hall.
+/// Islands of a model: sets of parts that may touch each other and touch no other part. Seams,
+/// intersections and buried triangles never lie between two islands. So they are found once for
+/// islands that are copies of each other, such as the machines of a hall.
 ///
-/// An island is a copy of an earlier one if it has the same triangles and edges in the same order,
-/// its corners are those of the other one in another place, within what floats round, and the same
-/// triangles are of one material and of one body. It may be turned, but not mirrored or scaled.
-/// Islands with polylines are no copies, nor are those that are hardly wider than a line.
+/// An island is a copy of an earlier one if three conditions hold. It has the same triangles and
+/// edges in the same order. Distances between its corners are equal but for the rounding of floats.
+/// The same triangles are of one material and of one body. It may be turned, but not mirrored or
+/// scaled. Islands with polylines are no copies, nor are islands that are hardly wider than a line.
 class Islands {
   public:
     /// `reach`: parts whose boxes are no farther apart are of one island. `mesh`, `edges` and what
@@ -61,8 +60,8 @@ class Islands {
 
     bool has_copies() const { return !copies_.empty(); }
 
-    /// Copies whose edges are of other kinds than those of their originals are none any longer.
-    /// Returns whether there were such.
+    /// Drops copies whose edges are of other kinds than those of their originals. Returns true if
+    /// there were any.
     bool tell_apart(std::span<const std::optional<LineKind>> kinds);
 
     bool is_copy(std::uint32_t vertex) const {
@@ -72,7 +71,7 @@ class Islands {
     std::vector<bool> copied_triangles() const;
     std::vector<bool> copied_edges() const;
 
-    /// Adds to what was found at originals what is at their copies.
+    /// Adds the same for copies to what was found at their originals.
     void add_copies(Seams& seams) const;
     void add_copies(std::vector<Intersection>& intersections) const;
 

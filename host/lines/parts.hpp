@@ -27,9 +27,8 @@ std::vector<double> enclosed_volumes(const WeldedMesh& mesh, const std::vector<M
 std::vector<bool> solid_parts(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                               const MeshParts& parts);
 
-/// Turns the triangles of parts that would be solids but for looking inwards, and their edges,
-/// which run in their winding. So it does with bodies that abut, as walls do, if all of them look
-/// inwards.
+/// Turns the triangles of closed parts that look inwards, and their edges, which run in the winding
+/// of the triangles. Does the same with bodies that abut, as walls do, if all of them look inwards.
 void turn_outwards(WeldedMesh& mesh, std::vector<MeshEdge>& edges, const MeshParts& parts);
 
 } // namespace lineatlas

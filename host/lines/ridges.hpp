@@ -21,11 +21,11 @@ struct Ridge {
 /// The lines of a surface's shape.
 struct FoundRidges {
     std::vector<Ridge> ridges;
-    std::vector<bool> said; ///< edges that may go and that a ridge or valley runs along
+    std::vector<bool> said; ///< of the edges that may go, those that a ridge or valley runs along
 };
 
-/// Finds the ridges and valleys of these faces (docs/lines.md has the rules). None runs beside an
-/// edge that is `drawn`. An edge that `may_go` and that one runs along is reported in `said`.
+/// Finds the ridges and valleys of these faces (docs/lines.md has the rules). They keep away from
+/// edges that are `drawn`. Edges that `may_go`, since a ridge or valley repeats them, are `said`.
 FoundRidges find_ridges(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
                         std::span<const std::uint32_t> faces, const std::vector<bool>& drawn,
                         const std::vector<bool>& may_go);

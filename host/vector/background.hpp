@@ -19,8 +19,9 @@ enum class Ground : std::uint8_t {
 };
 
 /// The background of a picture, on a grid of texels as large as its pixels. In pictures with a side
-/// of more than 2048 pixels the texels are larger. A piece of the model is what hangs together by
-/// common vertices: between sails and ropes one sees the sky, through a hole of a plate the hole.
+/// of more than 2048 pixels the texels are larger. A piece of the model is a set of triangles that
+/// are connected by common vertices. So the sky between sails and ropes, which are several pieces,
+/// is around the model, and a hole of a plate is enclosed.
 class Background {
   public:
     Background(const LineSet& lines, const Camera& camera);

@@ -20,35 +20,35 @@ class PathCurves {
     PathCurves(const PathCurves&) = delete;
     PathCurves& operator=(const PathCurves&) = delete;
 
-    /// Puts points onto curves, and between their chords' ends as many more as it takes to run
-    /// along them within a hundredth of a pixel. A point that is not on its curve stays, as on an
-    /// object that has moved since it was read. An edge that ends beside the end of a silhouette on
-    /// a surface, as a rim does within a chord's length, ends there.
+    /// Puts points onto their curves, and adds points until no chord is off its curve by more than
+    /// a hundredth of a pixel. A point that is not on its curve stays, as on an object that has
+    /// moved since it was read. If an edge ends less than a chord's length beside the end of a
+    /// silhouette on a surface, as a rim does, its end moves there.
     void bend(std::vector<VectorPath>& paths) const;
 
     /// Names the file's edge or face that each piece shows.
     void name(std::vector<VectorPath>& paths) const;
 
-    /// Per path a number that those have in common which lie on one circle or ellipse on the screen
-    /// all along, or no_curve. Empty where no curves are known.
+    /// Per path a number, the same for all paths that lie on one circle or ellipse on the screen
+    /// all along; no_curve for other paths. Empty where no curves are known.
     std::vector<std::uint32_t> numbers(const std::vector<VectorPath>& paths) const;
     static constexpr std::uint32_t no_curve = 0xFFFFFFFF;
 
-    /// Keeps chords of a mesh's circles straight that other lines run along: for find(), before
-    /// remove_overlaps() leaves one of both.
+    /// Makes find() keep chords of a mesh's circles straight if other lines run along them. Call it
+    /// before remove_overlaps(), which leaves one of two such lines.
     void keep_shared_chords(const std::vector<VectorPath>& paths) const;
 
-    /// The points of a path, ascending, at which a curve begins or ends: where one touches a line
-    /// or another curve, hardly anything bends.
+    /// The points of a path, ascending, at which a curve begins or ends. They must be kept: where a
+    /// curve touches a line or another curve, the path hardly bends.
     std::vector<std::uint32_t> joints(const VectorPath& path) const;
 
     /// Fills VectorPath::curves, and puts ends of paths, which lie on chords, onto curves. A part
-    /// whose points are not on its curve, as of an object that has moved since it was read, has
-    /// none; neither has one that is seen so flat or is so small that half a pixel holds it, but
-    /// its ends go where it turns. Chords of a mesh's circle become arcs from corner to corner if
-    /// the corners are within 0.02 pixels of it. All corners stay where they are. A part of a chord
-    /// stays straight; so does a chord at which another line ends, unless that is within 0.02
-    /// pixels of the arc.
+    /// of a path gets no curve if its points are not on the curve, as on an object that has moved
+    /// since it was read. It gets none either if half a pixel holds the curve, because it is small
+    /// or seen edge on; then the part ends where the curve turns. Chords of a mesh's circle become
+    /// arcs from corner to corner if the corners are within 0.02 pixels of it. All corners stay
+    /// where they are. A part of a chord stays straight. So does a chord at which another line
+    /// ends, unless that line is within 0.02 pixels of the arc.
     void find(std::vector<VectorPath>& paths) const;
 
   private:

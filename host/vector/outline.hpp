@@ -16,13 +16,13 @@ struct OutlinePoint {
     /// 0: straight to the next point, or by an ellipse. Else by an arc: the tangent of a quarter of
     /// its angle, positive where that goes from the x axis towards the y axis.
     double bulge = 0;
-    /// The arc to the last digit, where it is known; chords do not tell it.
+    /// The arc with all digits, if a file or a mesh's circle gives it; `bulge` alone loses some.
     std::optional<VectorArc> arc{};
     std::optional<VectorCubic> cubic{}; ///< or by this, and `bulge` is 0
 
     bool is_straight() const { return bulge == 0 && !arc && !cubic; }
     bool is_elliptic() const { return arc && arc->ratio != 1; }
-    /// Whether the way goes on by what polylines have no word for.
+    /// Whether the outline goes on by a curve that polylines of DXF cannot hold.
     bool is_apart() const { return is_elliptic() || cubic; }
 };
 

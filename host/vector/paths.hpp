@@ -31,7 +31,7 @@ void reverse(VectorPath& path);
 /// The same closed path, drawn from another of its points on.
 void rotate(VectorPath& path, std::size_t first);
 
-/// Puts `next` behind `path`, whose end is at its start. An arc that goes on there is one.
+/// Appends `next` to `path`, which ends where `next` starts. An arc that goes on there stays one.
 void append(VectorPath& path, const VectorPath& next);
 
 } // namespace lineatlas

@@ -41,9 +41,8 @@ struct ExportOptions {
 /// The options with the usual format for a purpose, and the settings that go with it.
 ExportOptions suited_to(Purpose purpose, ExportOptions options);
 
-/// The options with a format. PDF and DXF have a page and a scale, which the screen has not: in
-/// place of it they are for print and for a laser. With a format that the screen has, and one view,
-/// they are for the screen again.
+/// The options with a format. PDF and DXF have a page and a scale, and the purpose `screen` has
+/// none: PDF changes it to `print`, DXF to `laser`. Another format, with one view, changes it back.
 ExportOptions as_format(FileFormat format, ExportOptions options);
 
 /// A typed scale as ExportOptions::scale: a factor such as 0.4 becomes "1:2.5", and other text

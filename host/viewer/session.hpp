@@ -115,7 +115,7 @@ class Session {
     /// Whether it could.
     bool use_device(const DeviceOptions& device);
     const DeviceOptions& device() const { return device_; }
-    /// With a line of what is not as one may expect.
+    /// The device in words, with a line more if it is not the one that was expected.
     const std::string& device_description() const { return description_; }
 
     void glide_to(StandardView view);
