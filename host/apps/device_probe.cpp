@@ -66,12 +66,12 @@ Probe compile_kernels(const compute::OpenClDevice& device) {
 
 Probe compare_frames(const compute::OpenClDevice& device) {
     if (compute::collides_with_llvmpipe(device))
-        return {false, "not tried: GL's driver may not be one that it lives with", false};
+        return {false, "not tried, because this driver crashes beside Mesa's llvmpipe", false};
     try {
         const gl::HeadlessContext context;
         const auto backend = compute::make_opencl_backend(device);
         for (const auto mode : {interop::SharingMode::host_pointer, interop::SharingMode::copy})
-            if (try_frames(*backend, mode)) return {true, "small frames are what C++ computes"};
+            if (try_frames(*backend, mode)) return {true, "small frames equal those of C++"};
     } catch (const DeviceError& error) {
         return {false, error.what()};
     }

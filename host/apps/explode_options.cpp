@@ -10,10 +10,11 @@
 namespace lineatlas::apps {
 
 void ExplodeOptions::declare(CLI::App& app, const std::string& group) {
-    app.add_option("--explode", values_,
-                   "Draw parts apart, with trails from where they belong: 1.5 times as far from "
-                   "the middle of the assembly that they are in, or PART=X,Y,Z, which moves parts "
-                   "of that name, in the model's unit; may be given several times")
+    app.add_option(
+           "--explode", values_,
+           "Draw parts apart, with trails from where they belong. A factor, as 1.5: so many "
+           "times as far from the middle of their assembly. PART=X,Y,Z: parts of that name "
+           "are moved, in the model's unit. May be given several times")
         ->type_name("FACTOR|PART=X,Y,Z")
         ->allow_extra_args(false)
         ->group(group);

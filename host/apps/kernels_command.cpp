@@ -128,9 +128,8 @@ struct KernelsArguments {
 const Kernel& chosen_kernel(const KernelsArguments& arguments) {
     const std::span<const Kernel> forms = forms_of(arguments.name);
     if (forms.empty()) {
-        throw UsageError(
-            fmt::format("there is no kernel \"{}\"; `lineatlas kernels` lists those there are",
-                        arguments.name));
+        throw UsageError(fmt::format("there is no kernel \"{}\"; `lineatlas kernels` lists all",
+                                     arguments.name));
     }
     if (arguments.form.empty()) return forms.front();
     const auto chosen = std::ranges::find(forms, arguments.form, &Kernel::defines);
@@ -162,8 +161,10 @@ Command setup_kernels(CLI::App& app) {
                          ->needs(name);
     app.add_option("--form", a.form, "One of its forms, as the list has them; else the first")
         ->needs(assembly);
-    app.add_option("--device", a.device,
-                   "opencl:<platform>[:<device>], whose compiler it is; else the kernel as C++")
+    app.add_option(
+           "--device", a.device,
+           "With --assembly: the device whose compiler is asked, opencl:<platform>[:<device>]; "
+           "without it the kernel as C++")
         ->needs(assembly);
     app.footer("Without a name it lists all kernels. The source of a kernel is OpenCL C "
                "1.2.\nLINEATLAS_KERNEL_DIR names a folder of kernels in place of the built-in ones."

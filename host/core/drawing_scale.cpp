@@ -27,7 +27,7 @@ double parse_scale(std::string_view option, const std::string& text) {
     const std::optional<double> real = take_number(rest);
     if (!in_range(drawn) || !goes_on || !in_range(real) || !rest.empty())
         throw UsageError(std::string{option} + " \"" + text +
-                         "\" is none; it is written as in 1:50");
+                         "\" must be two numbers with a colon, as in 1:50");
     return *drawn / *real;
 }
 

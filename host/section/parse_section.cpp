@@ -11,10 +11,9 @@ namespace lineatlas {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text) {
-    throw UsageError(
-        fmt::format("section \"{}\" is none; it is an axis and a position, as in z=0.3, "
-                    "-x=50%, or a point and a normal, as in 1,2,3/0,0,1",
-                    text));
+    throw UsageError(fmt::format("section \"{}\" must be an axis and a position, as in z=0.3, "
+                                 "-x=50%, or a point and a normal, as in 1,2,3/0,0,1",
+                                 text));
 }
 
 std::optional<double> take_coordinate(std::string_view& text) {

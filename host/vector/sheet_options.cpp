@@ -98,7 +98,7 @@ SheetDetail parse_detail(std::string_view text) {
     const std::optional<double> radius = number_from(take_part(rest));
     if (!center || !radius)
         throw UsageError(
-            fmt::format("detail \"{}\" is none; it is a view, a point and a radius, as in "
+            fmt::format("detail \"{}\" must be a view, a point and a radius, as in "
                         "front/20,35,0/8, and perhaps a scale, as in front/20,35,0/8/5:1",
                         text));
     detail.center = *center;

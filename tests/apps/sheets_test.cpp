@@ -380,10 +380,12 @@ TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
             "line 3: at: it must be a list of 2 numbers");
     refused("[[views]]\nview = \"middle\"\n", "line 2: view: there is no view \"middle\"");
     refused("page = \"a3\"\nscale = \"big\"\n",
-            "bad.toml\" line 2: scale: the scale \"big\" is none");
-    refused("[[views]]\nview = \"front\"\nscale = \"\"\n", "line 3: scale: the scale \"\" is none");
+            "bad.toml\" line 2: scale: the scale \"big\" must be two numbers");
+    refused("[[views]]\nview = \"front\"\nscale = \"\"\n",
+            "line 3: scale: the scale \"\" must be two numbers");
     refused("[[details]]\nradius = -1\n", "line 2: radius: it must be a number above 0");
-    refused("[[details]]\nradius = 1\nscale = \"2\"\n", "line 3: scale: the scale \"2\" is none");
+    refused("[[details]]\nradius = 1\nscale = \"2\"\n",
+            "line 3: scale: the scale \"2\" must be two numbers");
     refused("[[details]]\nview = \"front\"\n", "each needs a \"center\"");
     refused("[fields]\ncolour = \"red\"\n", "a title block has no field \"colour\"");
     refused("page = 3\n", "line 1: page: it must be a text");

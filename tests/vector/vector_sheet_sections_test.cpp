@@ -174,7 +174,7 @@ TEST(Sheet, SectionsThatCannotBeAreRefused) {
     refused({"front", "section:0,20,20/1,1,1"}, "no view shows its plane as a line; add -45,0");
     refused({"right", "section:0,0,0/0,3,4"},
             "misses the model, which goes from 14.7 to 100.7 along the plane's normal");
-    refused({"front", "section:w=1"}, "section \"w=1\" is none");
+    refused({"front", "section:w=1"}, "section \"w=1\" must be an axis");
     refused({"front", "section:x=1", "section:x=1"}, "named twice");
     std::vector<std::string> many{"front"};
     for (int i = 0; i < 25; ++i) many.push_back("section:x=" + std::to_string(i));

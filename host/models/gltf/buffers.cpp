@@ -124,7 +124,7 @@ std::string Buffers::decode_meshopt(const Json& extension, const std::string& of
     const bool indices = mode == "TRIANGLES" || mode == "INDICES";
     if (indices ? stride != 2 && stride != 4
                 : stride == 0 || stride % 4 != 0 || stride > largest_stride)
-        refuse("the stride of " + of + " is none that " + meshopt + " has");
+        refuse("the stride of " + of + " is not one that " + meshopt + " allows");
     if (count > packed.size() * most_per_byte / stride)
         refuse(of + " cannot hold as much as it says");
 

@@ -54,7 +54,7 @@ void draw_device_rows(Ui& ui) {
             wanted.interop = mode;
             use(ui, wanted);
         },
-        "How that processor passes what it finds to the graphics card");
+        "How that processor and the graphics card share buffers");
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("%s", ui.session.device_description().c_str());
     ImGui::PopTextWrapPos();

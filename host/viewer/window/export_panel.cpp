@@ -55,7 +55,7 @@ void purpose_row(Ui& ui) {
          {Purpose::plotter, "export.plotter", "Plotter",
           "Paths in the order of the least travel, without the paper's colour"},
          {Purpose::laser, "export.laser", "Laser",
-          "The same, and what is round as circles and arcs"}}};
+          "Paths as for a plotter, with circles and arcs"}}};
     ExportOptions& options = ui.exporting.options;
     label(ui, "For");
     for (const Choice& choice : choices) {
@@ -94,7 +94,7 @@ void view_rows(Ui& ui) {
     ExportOptions& options = ui.exporting.options;
     label(ui, "What");
     if (toggle(ui, "export.one", "This view", !options.sheet)) options.sheet = false;
-    tip(ui, "What is seen; at a scale all of the model, from where one looks");
+    tip(ui, "The visible part; with a scale the whole model, from the current direction");
     ImGui::SameLine(0, ui.points(4));
     ImGui::BeginDisabled(options.format == FileFormat::json);
     if (toggle(ui, "export.sheet", "Sheet of views", options.sheet)) options.sheet = true;
@@ -125,8 +125,8 @@ void view_rows(Ui& ui) {
 
 /// A scale that is typed, or chosen from the list behind the arrow.
 void scale_row(Ui& ui) {
-    constexpr const char *fits = "as large as fits", *help = "What a millimetre of the model is on "
-                                                             "paper: 1:2, 1:2.5, 2:1, or 0.4";
+    constexpr const char *fits = "as large as fits", *help = "Lengths on paper to lengths of the "
+                                                             "model: 1:2, 1:2.5, 2:1, or 0.4";
     std::string &scale = ui.exporting.options.scale, &typed = ui.exporting.scale;
     label(ui, "Scale");
     const float gap = ui.points(4);
@@ -318,7 +318,7 @@ void draw_export_panel(Ui& ui) {
     ImGui::BeginDisabled(!possible);
     wanted |= toggle(ui, "export.save", replaces ? "Replace the file" : "Save", true);
     ImGui::EndDisabled();
-    tip(ui, replaces ? "A file of that name is there" : path_of(ui).c_str());
+    tip(ui, replaces ? "A file of that name exists" : path_of(ui).c_str());
     ImGui::SameLine(0, ui.points(8));
     if (button(ui, "export.close", "Cancel")) ui.panel = Panel::none;
     tip(ui, "Esc");

@@ -29,7 +29,7 @@ void toolbar(Ui& ui, Area canvas) {
     tip(ui, "Files of a folder, and recent ones (Ctrl + O)");
     ImGui::SameLine(0, ui.points(14));
     if (button(ui, "fit", "Fit")) ui.session.fit();
-    tip(ui, "All of the model (F)");
+    tip(ui, "Show the whole model (F)");
     for (const auto& [id, text, view, help] :
          {std::tuple{"corner", "Corner", StandardView::corner, "From the front, right, above (0)"},
           std::tuple{"front", "Front", StandardView::front, "From the front (1)"},
@@ -42,7 +42,7 @@ void toolbar(Ui& ui, Area canvas) {
     ImGui::SameLine(0, ui.points(14));
     const bool parallel = ui.session.navigation.goal().projection == Projection::orthographic;
     if (toggle(ui, "parallel", "Parallel", parallel)) ui.session.toggle_projection();
-    tip(ui, "Parallel lines of sight: what is equally long looks so (P)");
+    tip(ui, "Parallel lines of sight: equal lengths look equal (P)");
     ImGui::SameLine();
     if (toggle(ui, "timings", "Timings", ui.timings)) ui.timings = !ui.timings;
     tip(ui, "Where a frame's time goes (T)");
@@ -91,7 +91,7 @@ void loading(Ui& ui, Area canvas) {
     ImGui::TextDisabled("%s ...", loader.stage().c_str());
     progress_bar(ui, -1);
     if (button(ui, "cancel", "Cancel")) ui.session.cancel_loading();
-    tip(ui, "All stays as it was (Esc)");
+    tip(ui, "Everything stays as it was (Esc)");
     ImGui::End();
 }
 
@@ -101,7 +101,7 @@ void recording(Ui& ui, Area canvas) {
     ImGui::Text("Picture %d of %d", static_cast<int>(now.drawn()), static_cast<int>(now.count()));
     progress_bar(ui, static_cast<float>(now.drawn()) / static_cast<float>(now.count()));
     if (button(ui, "record.cancel", "Stop")) ui.session.cancel_recording();
-    tip(ui, "What is drawn stays (Esc)");
+    tip(ui, "Pictures that are drawn stay (Esc)");
     ImGui::End();
 }
 

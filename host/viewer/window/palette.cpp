@@ -52,7 +52,7 @@ void draw_palette(Ui& ui, Area canvas) {
     if (ui.panel != Panel::palette) return;
     SearchState& state = ui.palette;
     begin_palette(ui, canvas, found_by(state.searched).size());
-    const bool entered = search_field(ui, state, "palette.search", "What is to be done?");
+    const bool entered = search_field(ui, state, "palette.search", "Type a command");
     const std::vector<const Command*> found = found_by(state.searched);
     const bool moved = move_choice(state, found.size());
     const auto chosen = static_cast<std::size_t>(state.chosen);
@@ -60,7 +60,7 @@ void draw_palette(Ui& ui, Area canvas) {
     ImGui::BeginChild("found", {}, false, searched_flags);
     for (std::size_t i = 0; i < found.size(); ++i)
         if (row(ui, *found[i], i == chosen, moved)) taken = found[i];
-    if (found.empty()) ImGui::TextDisabled("No command is called so");
+    if (found.empty()) ImGui::TextDisabled("There is no such command");
     ImGui::EndChild();
     ImGui::End();
     if (taken == nullptr) return;

@@ -46,7 +46,7 @@ void eye(Ui& ui, const Parts& parts, std::uint32_t part, const std::string& name
     ImGui::BeginDisabled(above != Parts::none && parts.is_among(above, all.hidden));
     const bool pressed = ImGui::Checkbox("##shown", &shown);
     ui.spots.note("show:" + name);
-    tip(ui, "Whether it is shown");
+    tip(ui, "Show or hide this part");
     ImGui::EndDisabled();
     ImGui::SameLine(0, ui.points(6));
     if (!pressed) return;
@@ -152,7 +152,7 @@ void divider(Ui& ui, float height) {
     ImGui::InvisibleButton("parts.divider", {width, ui.points(measures::gap)});
     ui.spots.note("parts.divider");
     const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-    tip(ui, "Drag it: more parts or fewer are seen");
+    tip(ui, "Drag to show more or fewer parts");
     if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float y = 0.5F * (low.y + high.y), middle = 0.5F * (low.x + high.x);
@@ -185,7 +185,7 @@ void draw_parts_menu(Ui& ui) {
         if (item("Show alone", "I")) session.isolate_selected();
         if (item("Hide", "Delete")) session.hide_selected();
         if (item("Frame", "Shift + F")) session.frame_selected();
-        if (item("Select what it is in", "", above != Parts::none)) session.select(above);
+        if (item("Select the part around it", "", above != Parts::none)) session.select(above);
         if (item("Copy the name", "")) ImGui::SetClipboardText(parts.path_of(first).c_str());
         ImGui::Separator();
     }
@@ -213,7 +213,7 @@ void draw_parts_section(Ui& ui) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
             row(ui, model->parts, listed, static_cast<std::size_t>(i));
     }
-    if (listed.empty()) ImGui::TextDisabled("No part is called so");
+    if (listed.empty()) ImGui::TextDisabled("There is no such part");
     ImGui::EndChild();
     divider(ui, height);
     buttons(ui);

@@ -58,14 +58,14 @@ Row row(Ui& ui, std::size_t number, Cut& cut) {
     const std::string id = fmt::format("section.{}", number);
     bool changed = ImGui::Checkbox(("##" + id).c_str(), &cut.on);
     ui.spots.note(id + ".on");
-    tip(ui, "Whether it cuts");
+    tip(ui, "Switch this section on or off");
     changed |= axis_row(ui, id, cut);
     ImGui::SameLine(0, ui.points(12));
     if (button(ui, (id + ".flip").c_str(), "Flip")) {
         cut = flipped(cut);
         changed = true;
     }
-    tip(ui, "The other side is gone");
+    tip(ui, "Cut the other side away");
     ImGui::SameLine(0, ui.points(4));
     const bool removed = button(ui, (id + ".remove").c_str(), "Remove");
     tip(ui, "The section goes");

@@ -95,9 +95,9 @@ bool fine_quality(Ui& ui, Side& side) {
             side.probes = n;
             changed = true;
         },
-        "Looks at depth for each sample of a line");
+        "Depth probes for each sample of a line");
     changed |= slider(ui, "depth-scale", "Depth scale", side.depth_scale, 1, finest_depth_scale,
-                      "%dx", "Texels of depth for a pixel, a side");
+                      "%dx", "Depth texels per pixel and axis");
     changed |= slider(ui, "step", "Step", side.step, 0.5F, 8.0F, "%.1f px",
                       "Distance of samples along a line");
     return changed;

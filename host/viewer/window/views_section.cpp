@@ -16,7 +16,7 @@ void draw_views_section(Ui& ui) {
         tip(ui, "A click goes there");
         ImGui::SameLine();
         const bool removed = button(ui, fmt::format("view.{}.remove", i).c_str(), "Remove", -1);
-        tip(ui, "It is kept no longer");
+        tip(ui, "Remove this view from the kept ones");
         ImGui::PopID();
         if (!removed) continue;
         kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
