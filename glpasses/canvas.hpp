@@ -14,8 +14,8 @@ namespace lineatlas::gl {
 /// A picture to draw into, off screen: RGBA, premultiplied, with a depth buffer.
 class Canvas {
   public:
-    /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw,
-    /// and tells by `purpose` what memory is missing for.
+    /// `bits` per channel: 8 or 16. Throws UsageError if the size exceeds what the device can draw.
+    /// `purpose`: what the message says that memory is missing for.
     explicit Canvas(glm::ivec2 size, int bits = 8, const Purpose& purpose = purpose::picture);
 
     void clear(glm::vec4 color);

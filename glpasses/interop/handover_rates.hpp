@@ -35,9 +35,9 @@ HandoverRates assumed_rates(SharingMode mode);
 
 /// The rates of a device and the current GL context. They are measured once, in about 30 ms, and
 /// kept in the user's cache for this device, driver, GL and mode, as powers of two. So processes
-/// get the same rates, but for those that measure at the same time. Rates are assumed
-/// if they cannot be kept (LINEATLAS_CACHE=off), for devices that are not OpenCL's, and where GL
-/// and kernels both run on the CPU, which no rate makes differ. Throws DeviceError as tables do.
+/// get the same rates, except those that measure at the same time. Rates are assumed in three
+/// cases: they cannot be kept (LINEATLAS_CACHE=off), the device is not OpenCL's, or GL and kernels
+/// both run on the CPU, where rates change nothing. Throws DeviceError as tables do.
 HandoverRates handover_rates(Sharing& sharing);
 
 } // namespace lineatlas::interop

@@ -14,16 +14,16 @@
 namespace lineatlas {
 namespace {
 
-/// A part is small with at most this share of all triangles and lines,
+/// A small part has at most this share of all triangles and lines.
 constexpr double small_share = 0.02;
-/// so small that nobody wants to see it from so far with at most this one,
+/// A tiny part, which is not framed if it lies far away, has at most this share of them.
 constexpr double tiny_share = 0.001;
-/// and far away where the frame is at least so many times as large for its sake.
+/// A part lies far away if the frame would have to be this many times as large.
 constexpr float far_ratio = 2;
-/// So it is of specks: few enough that nobody wants to see them from afar, and each at most this
-/// share of the rest's extent.
+/// Specks are tiny together, and each has at most this share of the rest's extent. They lie far
+/// away if the frame would have to be this many times as large.
 constexpr float speck_ratio = 1.25F, speck_share = 0.01F;
-/// The model in slices along an axis: gaps narrower than one are not seen.
+/// The model is cut into so many slices along an axis. Gaps narrower than a slice do not count.
 constexpr std::size_t slices = 256;
 
 Bounds joined(const Bounds& a, const Bounds& b) {

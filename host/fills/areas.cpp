@@ -93,7 +93,7 @@ class Joined {
         return glm::distance(at, share * way);
     }
 
-    /// The one of a chain farthest from the line between two others, and how far.
+    /// The place of a chain that is farthest from the line between its ends, and its distance.
     std::pair<std::size_t, double> farthest(std::span<const std::uint32_t> chain) const {
         std::pair<std::size_t, double> result{0, -1};
         for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
@@ -117,7 +117,7 @@ class Joined {
         }
     }
 
-    /// The same of a ring that no other border meets.
+    /// The same for a ring that no other border meets.
     void straighten_ring(std::span<const std::uint32_t> ring, double tolerance) {
         const std::size_t middle = farthest(ring).first;
         kept_[ring.front()] = kept_[ring[middle]] = true;

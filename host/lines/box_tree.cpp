@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t most_in_leaf = 6;
 
-/// The nodes of a tree of `boxes`, which are halved down to leaves, and of one of one box more.
+/// The number of nodes of a tree of `boxes` boxes, which are halved down to leaves, and the number
+/// of nodes with one more box.
 std::pair<std::uint32_t, std::uint32_t> nodes_of(std::uint32_t boxes) {
     if (boxes < most_in_leaf) return {1, 1};
     if (boxes == most_in_leaf) return {1, 3};
@@ -89,7 +90,7 @@ class BoxTree::Builder {
         return owners_.empty() ? mixed : owners_[item.box];
     }
 
-    /// Puts the lesser half of them before the others, along the axis that they lie apart on.
+    /// Puts the half with the lesser middles first, along the axis on which middles differ most.
     void part(std::uint32_t first, std::uint32_t middle, std::uint32_t end) {
         const std::span own = std::span{items_}.subspan(first, end - first);
         Bounds middles;

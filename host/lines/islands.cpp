@@ -16,11 +16,11 @@
 namespace lineatlas {
 namespace {
 
-/// From so many meetings of boxes on all parts count as one island: looking for islands must not
-/// take longer than what they save.
+/// If boxes meet more often, all parts count as one island: finding islands must not take longer
+/// than copies save.
 constexpr std::size_t most_meetings = 10'000'000;
 
-/// So many originals of one size are compared with the other islands of that size.
+/// The most originals of one size that islands of that size are compared with.
 constexpr int most_originals = 8;
 
 std::vector<Bounds> boxes_of_parts(const WeldedMesh& mesh, const MeshParts& parts) {
@@ -232,7 +232,7 @@ bool Islands::have_same_owners(std::span<const std::uint32_t> owners, std::uint3
                               });
 }
 
-/// Each is the one farthest from the point and the line of those before.
+/// The first corner, the corner farthest from it, and the corner farthest from their line.
 Islands::Corners Islands::far_corners(std::uint32_t island) const {
     const auto farthest = [&](const auto& distance) {
         std::uint32_t best = 0;
@@ -266,9 +266,9 @@ std::optional<Islands::Frame> Islands::frame_of(std::uint32_t island,
     return Frame{origin, {x, glm::cross(z, x), z}};
 }
 
-/// Both frames are right-handed, so that mirrored islands differ. No vertex is farther from the
-/// first corner than the second, or from the line of both than the third. So an error of a corner
-/// moves no vertex by more than it moves the corner: what a vertex may differ by is about its own
+/// Both frames are right-handed, so mirrored islands differ. The second corner is the farthest
+/// vertex from the first, the third the farthest from the line of both. So an error of a corner
+/// moves no vertex by more than the corner itself, and a vertex differs by at most about its own
 /// rounding and those of three corners.
 bool Islands::have_same_shape(const Corners& corners, std::uint32_t original,
                               std::uint32_t island) const {

@@ -19,18 +19,19 @@ constexpr double tolerance = 0.02; ///< pixels from the circle
 constexpr std::size_t fewest_points = 5;
 constexpr double least_sweep = 30 * degree;
 constexpr double largest_step = 30.5 * degree; ///< a twelfth of a circle, and rounding
-/// Small circles lose points when paths are simplified: chords so near to the arc are as good.
+/// Small circles lose points when paths are simplified, so longer steps are allowed if the chord is
+/// this near to the arc.
 constexpr double small_sagitta = 0.06; ///< pixels
 
 using Points = std::span<const glm::dvec2>;
 
-/// None of circles that the tolerance holds.
+/// The circle through points; nothing if its radius is within the tolerance.
 std::optional<Circle> circle_of(Points points) {
     const std::optional<Circle> circle = fit_circle(points);
     return circle && circle->radius > tolerance ? circle : std::nullopt;
 }
 
-/// Whether points lie on the circle one after the other, and how far round they go.
+/// The angle that points go round the circle; nothing unless they lie on it one after the other.
 std::optional<double> sweep_on(const Circle& circle, Points points) {
     double sweep = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,7 +56,7 @@ class ArcFinder {
   public:
     explicit ArcFinder(const Outline& outline) : closed_(outline.closed) {
         for (const OutlinePoint& point : outline.points) points_.push_back(point.at);
-        // The way back to the first point is one like all others.
+        // The piece back to the first point counts like all others.
         if (closed_) points_.push_back(points_.front());
     }
 
@@ -127,8 +128,8 @@ class ArcFinder {
         return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
     }
 
-    /// Near its ends an ellipse is an arc, too, for a while: what bends on beyond an arc, in steps
-    /// as small, is a curve of another kind all along.
+    /// A part of an ellipse near its end resembles an arc, too. So an arc is dropped if the path
+    /// bends on beyond it in steps as small: all of that is a curve of another kind.
     void drop_parts_of_other_curves(std::vector<Piece>& pieces) const {
         const std::size_t count = pieces.size();
         const auto bends_on = [&](std::size_t arc, bool forwards) {
@@ -192,7 +193,7 @@ class ArcFinder {
         return arc;
     }
 
-    /// The longest one that starts at `first`; `end` becomes its last point.
+    /// The longest arc that starts at `first`; `end` becomes its last point.
     std::optional<FoundArc> longest_arc(std::size_t first, std::size_t& end) const {
         const std::size_t last = points_.size() - 1;
         std::optional<FoundArc> found;
@@ -207,7 +208,7 @@ class ArcFinder {
         return found;
     }
 
-    /// Cheaply what no arc is: looks at the last three points of a run.
+    /// False for a run whose last three points turn back: a cheap test that it is no arc.
     static bool turns_one_way(Points run) {
         const auto turn = [&](std::size_t i) {
             const glm::dvec2 a = run[i] - run[i - 1];

@@ -184,8 +184,8 @@ struct PathInterval {
     PathPlace from, to;
 };
 
-/// Whether an interval that does not cross the circle lies within it. The farthest of some points
-/// from the circle tells, as another one may be where the path touches it.
+/// Whether an interval that does not cross the circle lies within it. Of some points the farthest
+/// from the circle decides, because the path may touch the circle at another one.
 bool lies_within(const Circle& circle, const VectorPath& path, const PathInterval& interval) {
     double farthest = 0;
     for (const double share : {0.25, 0.5, 0.75}) {

@@ -14,7 +14,7 @@ namespace lineatlas {
 namespace {
 
 constexpr double longest = 1;        ///< pixels
-constexpr double least_slope = 1e-3; ///< by which a line goes behind a face; less is along it
+constexpr double least_slope = 1e-3; ///< of a line that goes behind a face and not along it
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -27,8 +27,7 @@ class Corners {
           clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}),
           size_(camera.size) {}
 
-    /// Whether the piece before or behind a place of the list goes on hidden, and this one begins
-    /// or ends at a corner nearby.
+    /// Whether piece i is short, begins (or ends) at a corner, and goes on hidden at its other end.
     bool may_be_hidden(std::size_t i, bool from_start) const {
         const Piece& piece = pieces_.list[i];
         const PieceEnd &corner = from_start ? piece.start : piece.end,

@@ -218,8 +218,8 @@ class ArcsOfChain {
     const Chord& chord(std::size_t i) const { return chain_.chords[i % count_]; }
 
   private:
-    /// Whether the chord behind one is as that behind a first one, in length and turn, as far as
-    /// can be told from corners that are off.
+    /// Whether chord `at` + 1 is as long as chord `first` and turns as the chord behind `first`
+    /// does, within what errors of the corners allow.
     bool is_equal(std::size_t first, std::size_t at) const {
         const glm::dvec3 turn = turn_between(chord(first), chord(first + 1));
         const double angle = glm::length(turn), length = chord(first).length();
@@ -229,14 +229,14 @@ class ArcsOfChain {
                glm::distance(turn_between(chord(at), chord(at + 1)), turn) < 8 * off / length;
     }
 
-    /// One past the last of the chords that are like a first one.
+    /// One past the last of consecutive chords that are equal to chord `first`.
     std::size_t end_of_equals(std::size_t first, std::size_t limit) const {
         std::size_t end = first + 1;
         while (end < limit && !is_taken(end) && is_equal(first, end - 1)) ++end;
         return end;
     }
 
-    /// A chord of a loop that is not as the one before; 0 where all are alike.
+    /// The first chord of a loop that is unlike the chord before it; 0 if all are alike.
     std::size_t first_break() const {
         for (std::size_t i = 0; i < count_; ++i)
             if (!is_equal(i + count_ - 2, i + count_ - 1)) return i;
@@ -315,7 +315,7 @@ class ArcsOfChain {
         if (const auto behind = beside(arc, true, 1); behind && is_part(*behind)) ++arc.end;
     }
 
-    /// The chord that is so many before or behind a arc, if there is one.
+    /// The chord that stands `by` chords before or behind an arc, if there is one.
     std::optional<std::size_t> beside(const Arc& arc, bool behind, std::size_t by) const {
         if (arc.end - arc.first + by > count_) return {};
         if (behind && (chain_.closed || arc.end + by <= count_)) return arc.end + by - 1;
@@ -324,7 +324,7 @@ class ArcsOfChain {
         return {};
     }
 
-    /// Near its ends an ellipse is an arc, too, for a while, and spirals are many arcs.
+    /// Whether the line bends on beyond an arc: parts of ellipses and spirals resemble arcs.
     bool bends_on(const std::vector<Arc>& arcs, const Arc& arc, bool behind) const {
         const Chord& regular = chord((arc.first + arc.end) / 2);
         const double turn = angle_of(arc, regular);

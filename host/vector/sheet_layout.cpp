@@ -216,7 +216,8 @@ struct Fit {
     std::vector<glm::dvec2> places;
 };
 
-/// No scale is larger that fits: views have no room if those with scales of their own have no size.
+/// An upper bound of the scales that fit: that of the sheet if views with scales of their own had
+/// no size.
 double largest_scale(const Grid& grid, double unit, const SheetBox& frame) {
     glm::dvec2 largest{0}; // view
     PaperScales one;
@@ -249,8 +250,8 @@ bool enlarges_details(const Grid& grid, double scale) {
     });
 }
 
-/// Throws UsageError if it is plain that no scale of the sheet makes the views fit. Views without
-/// a place of their own stand elsewhere at other scales, so that these are not looked at.
+/// Throws UsageError if no scale of the sheet can make the views fit. Looks only at the sizes of
+/// views with a scale of their own, because all other views stand elsewhere at other scales.
 void check_room(const Grid& grid, double unit, const SheetBox& frame, const SheetBox& block) {
     if (!places_on(grid, PaperScales(grid.sides.size(), 0), frame, block))
         throw UsageError("the page has no room for so many views; take a larger page");

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double same = 1e-9; ///< of the size of a curve
 
-/// Whether a place, given by the way from the axis, is where an ellipse that turns is level.
+/// Whether a place, given by the way from the axis, is where the turning ellipse is highest or
+/// lowest along the axis.
 bool is_on_top(const SurfaceShape& shape, const glm::dvec3& out) {
     constexpr double rounding = 1e-5;
     const SurfaceCurve& curve = shape.curve;
@@ -89,7 +90,7 @@ const Ellipse* SurfaceOutlines::along_meridian(const SurfaceShape& shape,
                  .v = glm::dmat3{placed} * ellipse->v});
 }
 
-/// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing of other shapes.
+/// The silhouette of a sphere: a circle, smaller the nearer the eye is. Nothing for other shapes.
 std::optional<EdgeCurve> SurfaceOutlines::sphere_outline(const SurfaceShape& shape,
                                                          const glm::dmat4x3& placed) const {
     const SurfaceCurve& curve = shape.curve;
