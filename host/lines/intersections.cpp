@@ -11,7 +11,7 @@
 
 #include "base/first_seen.hpp"
 #include "base/parallel.hpp"
-#include "base/spans.hpp"
+#include "base/stretches.hpp"
 #include "core/chain.hpp"
 #include "core/contact.hpp"
 
@@ -269,10 +269,10 @@ class Doubles {
     std::vector<bool> find(std::span<const Intersection> intersections) const {
         constexpr std::size_t piece = 256;
         const auto find = [&](std::size_t first, std::size_t end) {
-            std::vector<Span> spans;
+            std::vector<Stretch> stretches;
             std::vector<char> is_double;
             for (std::size_t i = first; i < end; ++i)
-                is_double.push_back(has(intersections[i], spans));
+                is_double.push_back(has(intersections[i], stretches));
             return is_double;
         };
         const std::vector<char> all =
@@ -281,19 +281,19 @@ class Doubles {
     }
 
   private:
-    /// `spans`: a buffer.
-    bool has(const Intersection& one, std::vector<Span>& spans) const {
+    /// `stretches`: a buffer.
+    bool has(const Intersection& one, std::vector<Stretch>& stretches) const {
         const glm::dvec3 p = place(one.p), way = place(one.q) - p;
         const double length = glm::length(way);
         if (length == 0) return true;
         const glm::dvec3 along = way / length;
         const auto reach = static_cast<float>(doubled * diagonal_);
         const glm::vec3 start{p}, end{p + way};
-        spans.clear();
+        stretches.clear();
         tree_.visit_meeting(
             {glm::min(start, end) - reach, glm::max(start, end) + reach},
-            [&](std::uint32_t line) { add_beside(line, one, p, along, length, spans); });
-        return free_length(length, spans) <= most_free * length;
+            [&](std::uint32_t line) { add_beside(line, one, p, along, length, stretches); });
+        return free_length(length, stretches) <= most_free * length;
     }
 
     static std::vector<Bounds> boxes(const WeldedMesh& mesh, std::span<const DrawnLine> lines) {
@@ -312,7 +312,7 @@ class Doubles {
 
     /// The part of the intersection that runs beside a line.
     void add_beside(std::uint32_t index, const Intersection& one, glm::dvec3 p, glm::dvec3 along,
-                    double length, std::vector<Span>& spans) const {
+                    double length, std::vector<Stretch>& stretches) const {
         const glm::dvec3 start = at(lines_[index].p), way = at(lines_[index].q) - start;
         const double line_length = glm::length(way);
         if (line_length == 0) return;
@@ -322,8 +322,8 @@ class Doubles {
         // Between the line's ends.
         const double at_start = glm::dot(start - p, direction) / cosine;
         const double at_end = at_start + line_length / cosine;
-        Span span{std::max(0.0, std::min(at_start, at_end)),
-                  std::min(length, std::max(at_start, at_end))};
+        Stretch stretch{std::max(0.0, std::min(at_start, at_end)),
+                        std::min(length, std::max(at_start, at_end))};
         // Within reach of the line: the distance is the square root of a + 2 b s + c s^2.
         const glm::dvec3 apart = p - start - direction * glm::dot(p - start, direction);
         const glm::dvec3 opening = along - direction * cosine;
@@ -333,28 +333,28 @@ class Doubles {
         if (c > 1e-12) {
             const double root = b * b - a * c;
             if (root <= 0) return;
-            span.from = std::max(span.from, (-b - std::sqrt(root)) / c);
-            span.to = std::min(span.to, (-b + std::sqrt(root)) / c);
+            stretch.from = std::max(stretch.from, (-b - std::sqrt(root)) / c);
+            stretch.to = std::min(stretch.to, (-b + std::sqrt(root)) / c);
         } else if (a > 0) {
             return;
         }
-        if (!(span.from < span.to)) return;
-        const glm::dvec3 middle = p + along * (0.5 * (span.from + span.to));
+        if (!(stretch.from < stretch.to)) return;
+        const glm::dvec3 middle = p + along * (0.5 * (stretch.from + stretch.to));
         const glm::dvec3 beside = start + direction * glm::dot(middle - start, direction);
         if (is_behind(one.face_a, beside) || is_behind(one.face_b, beside)) return;
-        spans.push_back(span);
+        stretches.push_back(stretch);
     }
 
     bool is_behind(std::uint32_t face, glm::dvec3 point) const {
         return glm::dot(normals_[face], point - at(mesh_.triangles[face].x)) < -contact_;
     }
 
-    static double free_length(double length, std::vector<Span>& spans) {
-        std::ranges::sort(spans, {}, &Span::from);
+    static double free_length(double length, std::vector<Stretch>& stretches) {
+        std::ranges::sort(stretches, {}, &Stretch::from);
         double free = 0, reached = 0;
-        for (const Span span : spans) {
-            free += std::max(0.0, span.from - reached);
-            reached = std::max(reached, span.to);
+        for (const Stretch stretch : stretches) {
+            free += std::max(0.0, stretch.from - reached);
+            reached = std::max(reached, stretch.to);
         }
         return free + std::max(0.0, length - reached);
     }

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "base/spans.hpp"
+#include "base/stretches.hpp"
 #include "core/contact.hpp"
 #include "diagonal.hpp"
 
@@ -24,34 +24,34 @@ constexpr double most_bend = 0.017453292519943295; ///< of faces in one plane: 1
 const double least_cosine = std::cos(most_bend);
 
 /// Shares of an edge: ascending, apart from each other.
-using Spans = std::vector<Span>;
+using Stretches = std::vector<Stretch>;
 
-Spans both(const Spans& a, const Spans& b) {
-    Spans result;
-    for (const Span one : a) {
-        for (const Span other : b) {
-            const Span common{std::max(one.from, other.from), std::min(one.to, other.to)};
+Stretches both(const Stretches& a, const Stretches& b) {
+    Stretches result;
+    for (const Stretch one : a) {
+        for (const Stretch other : b) {
+            const Stretch common{std::max(one.from, other.from), std::min(one.to, other.to)};
             if (common.from < common.to) result.push_back(common);
         }
     }
     return result;
 }
 
-Spans either(Spans a, const Spans& b, double gap) {
+Stretches either(Stretches a, const Stretches& b, double gap) {
     a.insert(a.end(), b.begin(), b.end());
-    join_spans(a, gap);
+    join_stretches(a, gap);
     return a;
 }
 
-/// Narrows s, from `span.from` to `span.to`, to where a linear function is not below 0. at_0, at_1:
-/// its values at 0 and 1.
-void keep_above(Span& span, double at_0, double at_1) {
+/// Narrows s, from `stretch.from` to `stretch.to`, to where a linear function is not below 0. at_0,
+/// at_1: its values at 0 and 1.
+void keep_above(Stretch& stretch, double at_0, double at_1) {
     if (at_0 < 0 && at_1 < 0) {
-        span.to = span.from;
+        stretch.to = stretch.from;
     } else if (at_0 < 0) {
-        span.from = std::max(span.from, at_0 / (at_0 - at_1));
+        stretch.from = std::max(stretch.from, at_0 / (at_0 - at_1));
     } else if (at_1 < 0) {
-        span.to = std::min(span.to, at_0 / (at_0 - at_1));
+        stretch.to = std::min(stretch.to, at_0 / (at_0 - at_1));
     }
 }
 
@@ -64,26 +64,26 @@ class SeamFinder {
           same_plane_(std::max(same_plane * diagonal_, contact_of(diagonal_, mesh.precision))) {}
 
     /// Where the edge is a seam.
-    Spans of_boundary(const MeshEdge& edge) {
+    Stretches of_boundary(const MeshEdge& edge) {
         const std::optional<Side> a = side(edge, edge.face_a);
         if (!a) return {};
         find_near(edge, std::array{normals_[a->face]});
         return covered(edge, *a, beyond, surfaces_.material);
     }
-    Spans of_crease(const MeshEdge& edge) {
+    Stretches of_crease(const MeshEdge& edge) {
         const std::optional<Side> a = side(edge, edge.face_a);
         const std::optional<Side> b = side(edge, edge.face_b & LA_FACE_INDEX);
         if (!a || !b) return {};
         find_near(edge, std::array{normals_[a->face], normals_[b->face]});
         if (near_.empty()) return {};
-        const Spans a_goes_on = covered(edge, *a, beyond, surfaces_.body);
-        const Spans b_goes_on = covered(edge, *b, beyond, surfaces_.body);
+        const Stretches a_goes_on = covered(edge, *a, beyond, surfaces_.body);
+        const Stretches b_goes_on = covered(edge, *b, beyond, surfaces_.body);
         const double gap = least(edge);
-        Spans result;
+        Stretches result;
         if (!a_goes_on.empty())
             result = both(a_goes_on, either(b_goes_on, covered(edge, *b, -beyond, {}), gap));
         if (!b_goes_on.empty()) {
-            const Spans covered_a = either(a_goes_on, covered(edge, *a, -beyond, {}), gap);
+            const Stretches covered_a = either(a_goes_on, covered(edge, *a, -beyond, {}), gap);
             result = either(result, both(b_goes_on, covered_a), gap);
         }
         return result;
@@ -132,43 +132,43 @@ class SeamFinder {
                          surfaces_.closed_part[edge.face_a], keep);
     }
 
-    /// The spans where some face in the plane of this one covers the line beside the edge, `away`
-    /// outwards. surface: if it is not empty, only faces of the same surface count.
-    Spans covered(const MeshEdge& edge, const Side& side, double away,
-                  std::span<const std::uint32_t> surface) const {
+    /// The stretches where some face in the plane of this one covers the line beside the edge,
+    /// `away` outwards. surface: if it is not empty, only faces of the same surface count.
+    Stretches covered(const MeshEdge& edge, const Side& side, double away,
+                      std::span<const std::uint32_t> surface) const {
         const glm::dvec3 move = side.outward * (away * diagonal_);
         const glm::dvec3 a = at(edge.p) + move, b = at(edge.q) + move;
-        Spans spans;
+        Stretches stretches;
         for (const std::uint32_t face : near_) {
             if (!surface.empty() && surface[face] != surface[side.face]) continue;
             const double cosine = glm::dot(normals_[face], normals_[side.face]);
             if (std::abs(cosine) < least_cosine) continue;
-            const Span span = part_over(face, a, b);
-            if (span.from < span.to) spans.push_back(span);
+            const Stretch stretch = part_over(face, a, b);
+            if (stretch.from < stretch.to) stretches.push_back(stretch);
         }
-        join_spans(spans, least(edge));
-        std::erase_if(spans, [&](const Span& span) {
-            return span.to - span.from < least(edge) && (span.from > 0 || span.to < 1);
+        join_stretches(stretches, least(edge));
+        std::erase_if(stretches, [&](const Stretch& stretch) {
+            return stretch.to - stretch.from < least(edge) && (stretch.from > 0 || stretch.to < 1);
         });
-        return spans;
+        return stretches;
     }
 
     /// The part of the way from a to b that lies in a face.
-    Span part_over(std::uint32_t face, glm::dvec3 a, glm::dvec3 b) const {
+    Stretch part_over(std::uint32_t face, glm::dvec3 a, glm::dvec3 b) const {
         const glm::uvec3 t = mesh_.triangles[face];
         const glm::dvec3 normal = normals_[face];
         const double height_a = glm::dot(normal, a - at(t.x));
         const double height_b = glm::dot(normal, b - at(t.x));
         const double most = same_plane_;
-        Span span{0, 1};
-        keep_above(span, most - height_a, most - height_b);
-        keep_above(span, most + height_a, most + height_b);
+        Stretch stretch{0, 1};
+        keep_above(stretch, most - height_a, most - height_b);
+        keep_above(stretch, most + height_a, most + height_b);
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3 from = at(t[k]);
             const glm::dvec3 inward = glm::cross(normal, at(t[(k + 1) % 3]) - from);
-            keep_above(span, glm::dot(inward, a - from), glm::dot(inward, b - from));
+            keep_above(stretch, glm::dot(inward, a - from), glm::dot(inward, b - from));
         }
-        return span;
+        return stretch;
     }
 
     const WeldedMesh& mesh_;
@@ -181,10 +181,10 @@ class SeamFinder {
 };
 
 /// The rest of an edge between seams, without parts shorter than `least`.
-Spans rest_of(const Spans& seams, double least) {
-    Spans rest;
+Stretches rest_of(const Stretches& seams, double least) {
+    Stretches rest;
     double from = 0;
-    for (const Span seam : seams) {
+    for (const Stretch seam : seams) {
         if (seam.from - from >= least) rest.push_back({from, seam.from});
         from = seam.to;
     }
@@ -214,12 +214,12 @@ Seams find_seams(const WeldedMesh& mesh, const std::vector<MeshEdge>& edges,
             const bool is_boundary = kinds[i] == LineKind::boundary && edges[i].face_count == 1;
             if (!is_boundary && kinds[i] != LineKind::crease) continue;
             if (!left_out.empty() && left_out[i]) continue;
-            const Spans spans =
+            const Stretches stretches =
                 is_boundary ? finder.of_boundary(edges[i]) : finder.of_crease(edges[i]);
-            if (spans.empty()) continue;
-            const Spans rest = rest_of(spans, finder.least(edges[i]));
+            if (stretches.empty()) continue;
+            const Stretches rest = rest_of(stretches, finder.least(edges[i]));
             (rest.empty() ? found.whole : found.cut).push_back(i);
-            for (const Span part : rest) found.left.push_back({i, part.from, part.to});
+            for (const Stretch part : rest) found.left.push_back({i, part.from, part.to});
         }
         return found;
     };

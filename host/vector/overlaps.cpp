@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/spans.hpp"
+#include "base/stretches.hpp"
 #include "core/line_pens.hpp"
 #include "curves.hpp"
 #include "paths.hpp"
@@ -49,37 +49,39 @@ struct Line {
 };
 
 /// The part of `line` that runs along `other`, as pixels from its start.
-std::optional<Span> part_along(const Line& line, const Line& other) {
+std::optional<Stretch> part_along(const Line& line, const Line& other) {
     const double sine = line.along.x * other.along.y - line.along.y * other.along.x;
     if (!(std::abs(sine) < along_sine)) return {};
     const double cosine = glm::dot(line.along, other.along);
 
-    // The span beside the other line, then as much of it as is within reach.
+    // The stretch beside the other line, then as much of it as is within reach.
     const double start = glm::dot(line.a - other.a, other.along);
     const double at_a = -start / cosine;
     const double at_b = (other.length - start) / cosine;
-    Span span{std::max(0.0, std::min(at_a, at_b)), std::min(line.length, std::max(at_a, at_b))};
-    if (span.to - span.from < shortest_overlap) return {};
+    Stretch stretch{std::max(0.0, std::min(at_a, at_b)),
+                    std::min(line.length, std::max(at_a, at_b))};
+    if (stretch.to - stretch.from < shortest_overlap) return {};
     const glm::dvec2 normal{-other.along.y, other.along.x};
     const double apart = glm::dot(line.a - other.a, normal);
     const double opening = glm::dot(line.along, normal); // distance gained per pixel
     const auto within = [&](double s) { return std::abs(apart + opening * s) <= reach; };
-    if (within(span.from) && within(span.to)) return span;
+    if (within(stretch.from) && within(stretch.to)) return stretch;
     if (!(std::abs(sine) < parallel_sine) || opening == 0) return {};
     const double one = (-reach - apart) / opening;
     const double two = (reach - apart) / opening;
-    span = {std::max(span.from, std::min(one, two)), std::min(span.to, std::max(one, two))};
-    if (span.to - span.from < shortest_overlap) return {};
-    return span;
+    stretch = {std::max(stretch.from, std::min(one, two)),
+               std::min(stretch.to, std::max(one, two))};
+    if (stretch.to - stretch.from < shortest_overlap) return {};
+    return stretch;
 }
 
 /// The rest of [0, length] without `covered`, which is sorted.
-std::vector<Span> rest_of(const std::vector<Span>& covered, double length) {
-    std::vector<Span> rest;
+std::vector<Stretch> rest_of(const std::vector<Stretch>& covered, double length) {
+    std::vector<Stretch> rest;
     double from = 0;
-    for (const Span span : covered) {
-        if (span.from > from) rest.push_back({from, span.from});
-        from = std::max(from, span.to);
+    for (const Stretch stretch : covered) {
+        if (stretch.from > from) rest.push_back({from, stretch.from});
+        from = std::max(from, stretch.to);
     }
     if (from < length) rest.push_back({from, length});
     return rest;
@@ -187,7 +189,7 @@ class Overlaps {
 
     /// Lets a path claim its place, and appends the parts that may be drawn to `result`.
     void claim(VectorPath&& path, std::vector<VectorPath>& result) {
-        std::vector<Span> covered;
+        std::vector<Stretch> covered;
         const std::size_t first = lines_.size();
         middles_.clear();
         double passed = 0;
@@ -196,30 +198,34 @@ class Overlaps {
             const double length = glm::length(way);
             if (!(length > 0)) continue;
             const Line line{path.points[i].at, way / length, length};
-            const std::vector<Span> own = covered_part(line);
-            for (const Span free : rest_of(own, length)) add(line, free, passed);
-            for (const Span span : own) covered.push_back({passed + span.from, passed + span.to});
+            const std::vector<Stretch> own = covered_part(line);
+            for (const Stretch free : rest_of(own, length)) add(line, free, passed);
+            for (const Stretch stretch : own)
+                covered.push_back({passed + stretch.from, passed + stretch.to});
             passed += length;
         }
         if (covered.empty()) return keep(std::move(path), result);
-        join_spans(covered, shortest_rest);
+        join_stretches(covered, shortest_rest);
         keep_touching_ends(path, passed, covered);
         if (covered.empty()) return keep(std::move(path), result);
-        std::vector<Span> kept = rest_of(covered, passed);
-        std::erase_if(kept, [](Span span) { return span.to - span.from < shortest_rest; });
+        std::vector<Stretch> kept = rest_of(covered, passed);
+        std::erase_if(kept,
+                      [](Stretch stretch) { return stretch.to - stretch.from < shortest_rest; });
         forget_dropped(first, kept);
         add_parts(path, covered, kept, passed, result);
     }
 
   private:
-    /// Removes spans from `covered` that only touch the lines along them.
-    void keep_touching_ends(const VectorPath& path, double length, std::vector<Span>& covered) {
+    /// Removes stretches from `covered` that only touch the lines along them.
+    void keep_touching_ends(const VectorPath& path, double length, std::vector<Stretch>& covered) {
         if (path.closed || path.pieces.empty()) return;
-        const auto touches = [&](const VectorPiece& piece, const VectorPoint& end, Span span) {
-            if (span.to - span.from >= longest_touch || 3 * (span.to - span.from) >= length)
+        const auto touches = [&](const VectorPiece& piece, const VectorPoint& end,
+                                 Stretch stretch) {
+            if (stretch.to - stretch.from >= longest_touch ||
+                3 * (stretch.to - stretch.from) >= length)
                 return false;
             return piece.face != KnownSurfaces::none ||
-                   (piece.edge != VectorPiece::none && is_joint(end.at, span));
+                   (piece.edge != VectorPiece::none && is_joint(end.at, stretch));
         };
         if (covered.front().from < shortest_rest &&
             touches(path.pieces.front(), path.points.front(), covered.front()))
@@ -229,14 +235,14 @@ class Overlaps {
             covered.pop_back();
     }
 
-    /// Whether a line over `span` may end beside drawn ones: where a path ends, or after a shorter
-    /// way than a rest at any vertex.
-    bool is_joint(glm::dvec2 at, Span span) {
+    /// Whether a line over `stretch` may end beside drawn ones: where a path ends, or after a
+    /// shorter way than a rest at any vertex.
+    bool is_joint(glm::dvec2 at, Stretch stretch) {
         constexpr double same_point = 1e-6; // pixels
         const auto is_there = [&](glm::dvec2 place) {
             return glm::distance(place, at) < same_point;
         };
-        if (span.to - span.from >= shortest_rest)
+        if (stretch.to - stretch.from >= shortest_rest)
             return std::ranges::any_of(end_grid_.near(at, at, same_point),
                                        [&](std::uint32_t i) { return is_there(ends_[i]); });
         return std::ranges::any_of(grid_.near(at, at, same_point), [&](std::uint32_t i) {
@@ -246,20 +252,20 @@ class Overlaps {
         });
     }
 
-    std::vector<Span> covered_part(const Line& line) {
-        std::vector<Span> covered;
+    std::vector<Stretch> covered_part(const Line& line) {
+        std::vector<Stretch> covered;
         const glm::dvec2 end = line.a + line.along * line.length;
         for (const std::uint32_t i : grid_.near(line.a, end, reach)) {
-            if (const std::optional<Span> span = part_along(line, lines_[i])) {
-                covered.push_back(*span);
+            if (const std::optional<Stretch> stretch = part_along(line, lines_[i])) {
+                covered.push_back(*stretch);
             }
         }
-        join_spans(covered, shortest_overlap);
+        join_stretches(covered, shortest_overlap);
         return covered;
     }
 
     /// passed: length of the path before the line.
-    void add(const Line& line, Span part, double passed) {
+    void add(const Line& line, Stretch part, double passed) {
         if (part.to - part.from < shortest_overlap) return;
         const Line free{line.a + line.along * part.from, line.along, part.to - part.from};
         grid_.insert(free.a, free.a + free.along * free.length,
@@ -271,7 +277,7 @@ class Overlaps {
     /// Empties the lines from `first` on that are in none of the kept parts. Lines that are not
     /// drawn must cover nothing. Otherwise, where many lines meet, each would take away from the
     /// next.
-    void forget_dropped(std::size_t first, const std::vector<Span>& kept) {
+    void forget_dropped(std::size_t first, const std::vector<Stretch>& kept) {
         auto part = kept.begin();
         for (std::size_t i = first; i < lines_.size(); ++i) {
             const double middle = middles_[i - first];
@@ -280,10 +286,11 @@ class Overlaps {
         }
     }
 
-    void add_parts(const VectorPath& path, const std::vector<Span>& covered,
-                   const std::vector<Span>& kept, double length, std::vector<VectorPath>& result) {
+    void add_parts(const VectorPath& path, const std::vector<Stretch>& covered,
+                   const std::vector<Stretch>& kept, double length,
+                   std::vector<VectorPath>& result) {
         std::vector<VectorPath> parts;
-        for (const Span span : kept) parts.push_back(part_of(path, span.from, span.to));
+        for (const Stretch stretch : kept) parts.push_back(part_of(path, stretch.from, stretch.to));
         const bool over_seam = path.closed && parts.size() > 1 && covered.front().from > 0 &&
                                covered.back().to < length;
         if (over_seam && parts.front().points.front().at == path.points.front().at &&

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "background.hpp"
+#include "base/stretches.hpp"
 #include "lineatlas/lines.hpp"
 #include "lineatlas/vector.hpp"
 #include "pieces.hpp"
@@ -32,11 +33,6 @@ struct Stroke {
     double length() const { return to - from; }
 };
 
-/// A stretch from one place of a strip to another, pixels from the strip's start.
-struct Stretch {
-    double from = 0, to = 0;
-};
-
 /// Segments that are connected on the screen: a path of the line set, or a chain of silhouettes,
 /// each of which is a path in the line set.
 struct Strip {
@@ -47,7 +43,7 @@ struct Strip {
     double length = 0;
     double start_arc = 0; ///< arc length at its start
     std::vector<StripStep> steps;
-    std::vector<Stretch> outlines{}; ///< beside the background; ascending
+    std::vector<Stretch> outlines{}; ///< beside the background, pixels from the start; ascending
     std::vector<Stroke> strokes;     ///< ascending
 };
 

@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/spans.hpp"
+#include "base/stretches.hpp"
 #include "core/path_share.hpp"
 #include "paths.hpp"
 #include "shared/constants.h"
@@ -109,29 +109,30 @@ std::vector<std::size_t> drawing_order(const std::vector<VectorPath>& paths,
 }
 
 /// The parts of a path that would take the ink about them beyond `limit`.
-std::vector<Span> dense_parts(const VectorPath& path, double limit, const Ink& ink) {
-    std::vector<Span> parts;
+std::vector<Stretch> dense_parts(const VectorPath& path, double limit, const Ink& ink) {
+    std::vector<Stretch> parts;
     const double most = std::max(limit - own_density / 2, 0.0);
     double whole = 0;
     walk(path, [&](glm::dvec2 place, double from, double length) {
         whole = from + length;
         if (ink.density(place) > most) parts.push_back({from, whole});
     });
-    join_spans(parts, least);
-    std::erase_if(parts, [&](Span part) { return part.to - part.from < std::min(least, whole); });
+    join_stretches(parts, least);
+    std::erase_if(parts,
+                  [&](Stretch part) { return part.to - part.from < std::min(least, whole); });
     if (parts.empty()) return parts;
     if (parts.front().from < least) parts.front().from = 0;
     if (whole - parts.back().to < least) parts.back().to = whole;
     return parts;
 }
 
-bool is_in(const std::vector<Span>& parts, double place) {
-    const auto after = std::ranges::upper_bound(parts, place, {}, &Span::from);
+bool is_in(const std::vector<Stretch>& parts, double place) {
+    const auto after = std::ranges::upper_bound(parts, place, {}, &Stretch::from);
     return after != parts.begin() && place < std::prev(after)->to;
 }
 
 /// Divides a path into its parts within and between `dense`, in order.
-void divide(VectorPath&& path, const std::vector<Span>& dense, std::vector<VectorPath>& result) {
+void divide(VectorPath&& path, const std::vector<Stretch>& dense, std::vector<VectorPath>& result) {
     const double whole = length_of(path);
     if (dense.front().from <= 0 && dense.front().to >= whole) {
         path.thinned = true;
@@ -145,7 +146,7 @@ void divide(VectorPath&& path, const std::vector<Span>& dense, std::vector<Vecto
         if (part.points.size() > 1) result.push_back(std::move(part));
     };
     double from = 0;
-    for (const Span part : dense) {
+    for (const Stretch part : dense) {
         add(from, part.from, false);
         add(part.from, part.to, true);
         from = part.to;
@@ -162,7 +163,7 @@ std::vector<VectorPath> thin_out(std::vector<VectorPath> paths, const Style& sty
     };
     if (!(style.density.limit > 0) && !(style.hidden_density > 0)) return paths;
     Ink visible{picture}, hidden{picture};
-    std::vector<std::vector<Span>> dense(paths.size());
+    std::vector<std::vector<Stretch>> dense(paths.size());
     for (const std::size_t i : drawing_order(paths, style.density)) {
         const VectorPath& path = paths[i];
         if (!(limit_of(path) > 0)) continue;
