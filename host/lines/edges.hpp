@@ -20,7 +20,7 @@ struct MeshEdge {
 
 /// Every edge of the mesh once, ordered by its smaller vertex, then the larger. Any number of
 /// triangles may share an edge, in any winding, which a halfedge structure cannot hold
-/// (docs/decisions.md).
+/// (docs/decisions/lines.md).
 std::vector<MeshEdge> mesh_edges(const WeldedMesh& mesh);
 
 /// Per vertex the first of its edges to larger vertices, and at last the number of all edges.
