@@ -1,0 +1,49 @@
+"""A table of measured figures says of which run they are: its section names a commit or a date."""
+
+import re
+import unittest
+
+from documents import PAGES, without_blocks
+
+UNIT = re.compile(r"(?<![\w'])(ms|s|us|seconds|milliseconds|minutes|KiB|MB|GB|GiB|MiB|kB|fps)\b|%")
+FIGURE = re.compile(r"\d\s?(ms|s|us|KiB|MB|GB|GiB|MiB|kB|%)(?!\w)")
+RUN = re.compile(r"\b20\d\d-\d\d-\d\d\b|`[0-9a-f]{7,8}`")
+
+
+def is_measured(table):
+    """True if columns, or several cells, have units of what is measured."""
+    rows = [re.sub(r"`[^`]*`", "", row) for row in table.splitlines()]
+    if "target" in rows[0]:
+        return False
+    cells = [cell for row in rows[2:] for cell in row.split("|") if len(cell) < 30 and FIGURE.search(cell)]
+    return UNIT.search(rows[0]) is not None or len(cells) > 1
+
+
+def without_run(text):
+    """The first rows of tables of figures in sections that name no run."""
+    sections = re.split(r"^#+ .*$", without_blocks(text), flags=re.MULTILINE)
+    return [table.splitlines()[0] for section in sections if not RUN.search(section)
+            for table in re.findall(r"(?:^\|.*\n)+", section, re.MULTILINE) if is_measured(table)]
+
+
+class Figures(unittest.TestCase):
+    def test_tables_name_their_run(self):
+        measured = 0
+        for page in PAGES:
+            with self.subTest(page=page.name):
+                text = page.read_text()
+                self.assertEqual([], without_run(text))
+                measured += sum(map(is_measured, re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)))
+        self.assertGreater(measured, 20)
+
+    def test_a_table_without_a_run_is_found(self):
+        table = "| model | ms |\n|---|---|\n| ship | 5.1 |\n"
+        self.assertEqual(["| model | ms |"], without_run(f"# A\n\nAt `af8bad9`.\n\n## B\n\n{table}"))
+        self.assertEqual([], without_run(f"# A\n\nMedians (2026-11-25):\n\n{table}"))
+        cells = "| model | first | second |\n|---|---|---|\n| ship | 5 ms | 6 ms |\n"
+        self.assertEqual(["| model | first | second |"], without_run(cells))
+        self.assertEqual([], without_run("| key | default |\n|---|---|\n| `width` | `2` |\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
