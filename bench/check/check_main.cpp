@@ -120,7 +120,7 @@ int run(int argc, char** argv) {
     app.add_flag("--has-gl", gl_only,
                  "Only say, by exit code 0 or 1, whether libraries for GL are there");
     bool opencl_only = false;
-    app.add_flag("--has-opencl", opencl_only, "The same of OpenCL's loader");
+    app.add_flag("--has-opencl", opencl_only, "Likewise for OpenCL's loader");
     if (const std::optional<int> code = parse(app, argc, argv)) return *code;
     if (opencl_only) return has("libOpenCL.so.1") ? 0 : 1;
     if (gl_only) return has_gl() ? 0 : 1;

@@ -138,7 +138,7 @@ void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--picture", a.picture,
                    "Error picture to write; with the method's name and a number if there are "
                    "several");
-    app.add_option("--picture-scale", a.picture_scale, "Its pixels per pixel")
+    app.add_option("--picture-scale", a.picture_scale, "Its pixels per pixel of the view")
         ->check(CLI::Range(1, 16))
         ->capture_default_str();
     auto* study = app.add_flag("--study", a.study,

@@ -292,10 +292,9 @@ void bind_drawing(py::class_<Drawer>& renderer) {
              py::arg("fit_arcs") = false, py::arg("title") = "Line drawing", progress,
              "The drawing as SVG. page: \"a4\", \"300x200mm\", ...; none: the picture. margin:\n"
              "\"10mm\", .... plotter: ordered for the least travel of a pen. tags: each path says\n"
-             "where it comes from. transparent: without the paper. curves: edges that the file\n"
-             "knows to be round, and circles that a mesh was cut from, leave as arcs of circles\n"
-             "and ellipses. fit_arcs: of other lines, too, what is round within 0.02 pixels\n"
-             "becomes circles and arcs.")
+             "where it comes from. transparent: without the paper. curves: edges along\n"
+             "circles and ellipses of the file, and circles that a mesh was cut from, become\n"
+             "arcs. fit_arcs: so do parts of other lines that are round within 0.02 pixels.")
         .def("to_dxf", &dxf, py::kw_only(), size, view, up, style, options,
              py::arg("page") = py::none(), py::arg("margin") = "0", py::arg("plotter") = false,
              py::arg("curves") = true, py::arg("fit_arcs") = false, progress,
