@@ -1,4 +1,5 @@
-"""The commands of README and docs that need nothing but the tool run as they stand, in the order of their page, and end with 0."""
+"""The commands of README and docs that need nothing but the tool run as they stand, in the order of their page, and end with 0; it
+reads the files of TOML that pages show."""
 
 import os
 import pathlib
@@ -107,6 +108,34 @@ class Commands(unittest.TestCase):
                         self.assertTrue((self.folder / name).exists(), f"{name} is not there")
                     ran += 1
         self.assertGreater(ran, 30)
+
+    def read(self, name, text):
+        """Draws by a TOML file that has the text: a session, a sheet or a style."""
+        (self.folder / name).write_text(text)
+        if text.startswith("session = "):  # of a model with the parts that it hides
+            text = re.sub(r"^model = .*", 'model = "model.obj"', re.sub(r"^hide = .*\n", "", text, flags=re.MULTILINE),
+                          flags=re.MULTILINE)
+            (self.folder / name).write_text(re.sub(r'"\+[xz]=.*?"', '"x=50%"', text))
+            return self.run_line(f"lineatlas draw {name} -o block.svg")
+        if "[[views]]" in text:
+            return self.run_line(f"lineatlas draw valve.stl -o block.svg --views {name}")
+        return self.run_line(f"lineatlas draw model.obj -o block.svg --style ./{name}")
+
+    def test_files_of_toml_are_read(self):
+        pens = self.run_line("mkdir marks && lineatlas styles --write-pens marks && mv marks/pencil.png marks/chalk.png")
+        self.assertEqual(0, pens.returncode, pens.stderr)
+        read = 0
+        for page in PAGES:
+            for number, text in enumerate(blocks(page.read_text(), "toml")):
+                with self.subTest(page=page.name, number=number):
+                    done = self.read(f"{page.stem}{number}.toml", text)
+                    self.assertEqual(0, done.returncode, done.stderr)
+                    read += 1
+        self.assertGreater(read, 4)
+
+    def test_a_file_of_toml_that_is_wrong_is_refused(self):
+        for text in ["widht = 2\n", "session = 1\nmodel = \"model.obj\"\nnothing = 1\n", "nothing = 1\n[[views]]\nview = \"front\"\n"]:
+            self.assertNotEqual(0, self.read("wrong.toml", text).returncode)
 
     def test_circles_are_circles(self):
         page = (ROOT / "docs/solves.md")
