@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Figures of docs/quality.md: measures them, and prints the tables of the page.
+"""Figures of drawings in docs/quality.md: measures them, and prints the page's table.
 
-    scripts/figures.py measure drawings [MODEL...]   # runs the benchmark and writes docs/figures/drawings.json
-    scripts/figures.py print drawings                # the page's table, from that file
+    scripts/figures.py measure [MODEL...]   # runs the benchmark and writes docs/figures/drawings.json
+    scripts/figures.py print                # the table of that file
 
-Sets of figures: drawings (perspective views) and drawings_parallel. A test compares the page with the files.
+A test compares the page with the file.
 """
 
 import argparse
@@ -16,8 +16,7 @@ import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-FOLDER = ROOT / "docs/figures"
-OPTIONS = {"drawings": [], "drawings_parallel": ["--projection", "orthographic"]}
+FILE = ROOT / "docs/figures/drawings.json"
 METHODS = ["EX", "SAhi"]
 
 #: Heading, key of the benchmark's JSON, factor, decimal places, target.
@@ -26,36 +25,36 @@ COLUMNS = [("missed %", "missed", 100, 4, 0.05), ("false %", "false", 100, 4, 0.
            ("missed ink %", "missed_ink", 100, 4, 0.02), ("false ink %", "false_ink", 100, 4, 0.1)]
 
 
-def measure(name, models, up, commit):
+def measure(models, up, commit):
     """Runs the benchmark by the tool in LINEATLAS_TOOL, else by that of build/release."""
     tool = os.environ.get("LINEATLAS_TOOL", ROOT / "build/release/lineatlas")
-    arguments = ["bench", "quality", "--paths", "--methods", ",".join(METHODS), *OPTIONS[name]]
+    arguments = ["bench", "quality", "--paths", "--methods", ",".join(METHODS)]
     if models:
         arguments += ["--scenes", "clevis,house,ship,office", "--up", up]
-    path = FOLDER / f"{name}.json"
     given = [argument for model in models for argument in ("--model", model)]
-    subprocess.run([tool, *arguments, *given, "--json", path], check=True)
+    FILE.parent.mkdir(exist_ok=True)
+    subprocess.run([tool, *arguments, *given, "--json", FILE], check=True)
     names = [argument for model in models for argument in ("--model", pathlib.Path(model).name)]
     processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     run = {"command": " ".join(["lineatlas", *arguments, *names]), "commit": commit,
            "date": datetime.date.today().isoformat(),
            "machine": f"{processor[1] if processor else 'unknown'}, {os.cpu_count()} cores"}
-    path.write_text(json.dumps({"run": run, **json.loads(path.read_text())}, indent=1) + "\n")
+    FILE.write_text(json.dumps({"run": run, **json.loads(FILE.read_text())}, indent=1) + "\n")
 
 
-def figure(value, factor, places, target):
+def cell(value, factor, places, target):
     text = f"{factor * value:.{places}f}"
     return f"**{text}**" if float(text) > target else text
 
 
-def table(name):
-    """The table of a set of figures as the page has it. Two figures are those of EX and SAhi."""
-    figures = json.loads((FOLDER / f"{name}.json").read_text())["paths"]
+def table():
+    """The table as the page has it. Two figures of a cell are those of EX and SAhi."""
+    views = json.loads(FILE.read_text())["paths"]
     lines = ["| view | visible px | " + " | ".join(column[0] for column in COLUMNS) + " |", "|---" * (2 + len(COLUMNS)) + "|"]
-    for view, methods in figures.items():
+    for view, methods in views.items():
         cells = [view, f"{methods['EX']['visible']:,.0f}"]
         for _, key, *form in COLUMNS:
-            cells.append(", ".join(figure(methods[method][key], *form) for method in METHODS))
+            cells.append(", ".join(cell(methods[method][key], *form) for method in METHODS))
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
 
@@ -63,15 +62,14 @@ def table(name):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=["measure", "print"])
-    parser.add_argument("name", choices=OPTIONS)
     parser.add_argument("models", nargs="*", metavar="MODEL")
     parser.add_argument("--up", default="y", help="the upward axis of all models, or of each in turn: z,z,y")
     parser.add_argument("--commit", help="the commit of the tool that is run; by default HEAD")
     arguments = parser.parse_args()
     if arguments.what == "measure":
         head = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], cwd=ROOT, check=True, capture_output=True, text=True)
-        measure(arguments.name, arguments.models, arguments.up, arguments.commit or head.stdout.strip())
-    print(table(arguments.name), end="")
+        measure(arguments.models, arguments.up, arguments.commit or head.stdout.strip())
+    print(table(), end="")
 
 
 if __name__ == "__main__":

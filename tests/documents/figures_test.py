@@ -1,9 +1,15 @@
-"""A table of measured figures says of which run they are: its section names a commit or a date."""
+"""A table of measured figures says of which run they are: its section names a commit or a date. The table that
+scripts/figures.py has measured is that of its JSON."""
 
+import json
 import re
+import sys
 import unittest
 
-from documents import PAGES, without_blocks
+from documents import PAGES, ROOT, without_blocks
+
+sys.path.append(str(ROOT / "scripts"))
+import figures  # noqa: E402
 
 UNIT = re.compile(r"(?<![\w'])(ms|s|us|seconds|milliseconds|minutes|KiB|MB|GB|GiB|MiB|kB|fps)\b|%")
 FIGURE = re.compile(r"\d\s?(ms|s|us|KiB|MB|GB|GiB|MiB|kB|%)(?!\w)")
@@ -43,6 +49,13 @@ class Figures(unittest.TestCase):
         cells = "| model | first | second |\n|---|---|---|\n| ship | 5 ms | 6 ms |\n"
         self.assertEqual(["| model | first | second |"], without_run(cells))
         self.assertEqual([], without_run("| key | default |\n|---|---|\n| `width` | `2` |\n"))
+
+    def test_the_table_of_drawings_is_that_of_its_json(self):
+        text = (ROOT / "docs/quality.md").read_text()
+        self.assertIn(figures.table(), text)
+        run = json.loads(figures.FILE.read_text())["run"]
+        self.assertIn(f"`{run['commit']}` of {run['date']}, [command, machine and figures](figures/{figures.FILE.name})", text)
+        self.assertNotIn("/", run["command"])  # models by their names
 
 
 if __name__ == "__main__":
