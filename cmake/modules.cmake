@@ -19,7 +19,7 @@ add_dependencies(lineatlas_io lineatlas-png)
 pkg_check_modules(openimageio QUIET IMPORTED_TARGET OpenImageIO)
 find_part(OPENIMAGEIO "pictures of all types" NEEDS openimageio_FOUND OpenImageIO libopenimageio-dev)
 if(HAS_OPENIMAGEIO)
-    add_module(images SOURCES host/images/images.cpp LIBRARIES PkgConfig::openimageio lineatlas_pixels)
+    add_module(images SOURCES host/images/openimageio/images.cpp LIBRARIES PkgConfig::openimageio lineatlas_pixels)
     add_dependencies(lineatlas_io lineatlas-images)
 endif()
 
@@ -81,7 +81,7 @@ endif()
 pkg_check_modules(cairo QUIET IMPORTED_TARGET cairo-pdf)
 find_part(PDF "drawings as PDF" NEEDS cairo_FOUND cairo libcairo2-dev)
 if(HAS_PDF)
-    add_module(pdf SOURCES host/pdf/module/cairo.cpp
+    add_module(pdf SOURCES host/cairo/cairo.cpp
                LIBRARIES lineatlas_options glm::glm PkgConfig::cairo)
 endif()
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "images/image_module.hpp"
+#include "io/image_module.hpp"
 
 namespace lineatlas {
 

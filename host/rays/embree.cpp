@@ -10,7 +10,7 @@
 #include <embree4/rtcore.h>
 #endif
 
-#include "rays_module.hpp"
+#include "truth/rays_module.hpp"
 
 namespace lineatlas::rays {
 

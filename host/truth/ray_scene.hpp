@@ -8,7 +8,7 @@
 
 #include "lineatlas/lines.hpp"
 #include "projection.hpp"
-#include "rays/rays_module.hpp"
+#include "rays_module.hpp"
 
 namespace lineatlas {
 

@@ -1,4 +1,4 @@
-#include "image_module.hpp"
+#include "io/image_module.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include "pixels.hpp"
+#include "images/pixels.hpp"
 
 namespace lineatlas::images {
 

@@ -14,8 +14,8 @@
 
 #include <png.h>
 
-#include "images/image_module.hpp"
 #include "images/pixels.hpp"
+#include "io/image_module.hpp"
 
 namespace lineatlas::images {
 namespace {

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "hostile_attempts.hpp"
-#include "images/image_module.hpp"
+#include "io/image_module.hpp"
 
 namespace lineatlas::images {
 namespace {
