@@ -25,6 +25,15 @@ typedef struct StrokeFilter {
     float halo LA_BY_DEFAULT(0); /**< gap in the farther of two lines that cross, beside the nearer
                                       stroke */
 } StrokeFilter;
+#ifndef __OPENCL_VERSION__
+/** Calls `each` with the members that are lengths: they grow with the picture. */
+template <class Each>
+void for_each_length(StrokeFilter& filter, const Each& each) {
+    for (float* length : {&filter.fill_holes, &filter.drop_runs, &filter.overshoot,
+                          &filter.undershoot, &filter.halo})
+        each(*length);
+}
+#endif
 
 /** Line density control (§4.5, Fig. 11). */
 typedef struct Density {

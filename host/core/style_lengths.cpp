@@ -5,9 +5,8 @@ namespace lineatlas {
 void multiply_lengths(Style& style, float factor) {
     const auto multiply = [&](auto&... lengths) { ((lengths *= factor), ...); };
     multiply(style.pen.width, style.pen.cap_length, style.hidden_pen.width,
-             style.hidden_pen.cap_length, style.filter.fill_holes, style.filter.drop_runs,
-             style.filter.overshoot, style.filter.undershoot, style.filter.halo,
-             style.centre_overhang);
+             style.hidden_pen.cap_length, style.centre_overhang);
+    for_each_length(style.filter, multiply);
     style.density.limit /= factor; // as many lines in fewer pixels
     style.hidden_density /= factor;
     for (PenRule& rule : style.pens) {

@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "core/style_lengths.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/lines.hpp"
 #include "style/settings.hpp"
@@ -211,6 +212,29 @@ TEST(Settings, LengthsMayBeThoseOfPaper) {
     EXPECT_EQ(style.filter.halo, 12);
     apply_setting(style, "hidden-width=3px");
     EXPECT_EQ(style.hidden_pen.width, 3);
+}
+
+TEST(Settings, LengthsGrowWithThePicture) {
+    std::size_t lengths = 0;
+    for (const Setting& setting : settings()) {
+        SCOPED_TRACE(setting.key);
+        Style style;
+        style.density.limit = style.hidden_density = 3;
+        const bool is_length = setting.values.find("length on paper") != std::string::npos;
+        if (is_length) {
+            ++lengths;
+            set_value(style, setting, 6.0, setting.key);
+        }
+        const SettingValue before = setting.get(style);
+        multiply_lengths(style, 2);
+        if (is_length)
+            EXPECT_EQ(setting.get(style), SettingValue{12.0});
+        else if (setting.key == "density" || setting.key == "hidden-density")
+            EXPECT_EQ(setting.get(style), SettingValue{1.5});
+        else
+            EXPECT_EQ(setting.get(style), before);
+    }
+    EXPECT_GT(lengths, 9U);
 }
 
 TEST(Settings, BadValuesAreRefusedWithWhatThereIs) {
