@@ -46,11 +46,10 @@ void set_up(CLI::App& app, Arguments& a) {
     auto* scenes =
         app.add_option(
                "--scenes", a.scenes,
-               "Of clevis, house, ship, office, each also with silhouettes as in "
-               "ship+s; hidden: the cost of hidden segments; far: of a model from 20 times as "
-               "far; moving: of moving objects; "
-               "effects: of a style's "
-               "effects; profile: of profiling")
+               fmt::format("Of {}, each also with silhouettes as in ship+s; hidden: the cost of "
+                           "hidden segments; far: of a model from 20 times as far; moving: of "
+                           "moving objects; effects: of a style's effects; profile: of profiling",
+                           fmt::join(scene_names(), ", ")))
             ->delimiter(',')
             ->capture_default_str();
     app.add_option("--methods", a.methods,

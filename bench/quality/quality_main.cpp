@@ -83,8 +83,8 @@ const Style& style_of(const std::string& name) {
 
 void set_up(CLI::App& app, Arguments& a) {
     app.add_option("--scene,--scenes", a.scenes,
-                   "Of clevis, house, ship, office; may be given again. Default: all, unless there "
-                   "is a --model")
+                   fmt::format("Of {}; may be given again. Default: all, unless there is a --model",
+                               fmt::join(scene_names(), ", ")))
         ->delimiter(',');
     auto* model = app.add_option("--model", a.models, "A model file; may be given again");
     app.add_option("--up", a.ups, "Upward axis, x, y or z, of all models or of each in turn")

@@ -22,12 +22,14 @@
 #include "glpasses/headless_context.hpp"
 #include "io/extension.hpp"
 #include "io/image_writer.hpp"
+#include "io/model_types.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/fills.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/renderer.hpp"
+#include "lineatlas/scenes.hpp"
 #include "lineatlas/style_files.hpp"
 #include "lineatlas/visibility.hpp"
 #include "notes.hpp"
@@ -399,16 +401,17 @@ Command setup_draw(CLI::App& app) {
     auto arguments = std::make_shared<DrawArguments>();
     DrawArguments& a = *arguments;
     app.add_option("MODEL", a.model,
-                   "OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file, or a session "
-                   "of the viewer (TOML), whose values options here override");
+                   model_type_names() + " file, or a session of the viewer (TOML), whose values "
+                                        "options here override");
     app.add_option(
            "-o,--output", a.output,
            "Picture to write: PNG, JPEG, TIFF, EXR, ... or, as paths, SVG, PDF, DXF or JSON")
         ->required();
 
     const std::string model = "What to draw";
-    app.add_option("--scene", a.scene,
-                   "A built-in scene in place of MODEL: clevis, house, ship, office")
+    app.add_option(
+           "--scene", a.scene,
+           fmt::format("A built-in scene in place of MODEL: {}", fmt::join(scene_names(), ", ")))
         ->group(model);
     app.add_option("--crease", a.crease,
                    "Edges bent by more degrees than this are creases; auto: by more than 28.8, "

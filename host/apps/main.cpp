@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "command_line/program.hpp"
 #include "commands.hpp"
@@ -52,10 +53,10 @@ int run(int argc, char** argv) {
     const std::string first = argc > 1 ? argv[1] : "";
     const auto is_first = [&](const auto& command) { return command.first->get_name() == first; };
     if (!first.empty() && first[0] != '-' && std::ranges::none_of(commands, is_first)) {
-        throw lineatlas::UsageError(fmt::format(
-            "there is no command \"{}\"; there is draw, view, check, info, styles, devices, "
-            "kernels, scene, bench",
-            first));
+        std::vector<std::string> names;
+        for (const auto& command : commands) names.push_back(command.first->get_name());
+        throw lineatlas::UsageError(
+            fmt::format("there is no command \"{}\"; there is {}", first, fmt::join(names, ", ")));
     }
     if (const std::optional<int> code = lineatlas::parse(app, argc, argv)) return *code;
     for (const auto& [command, run_command] : commands) {

@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "commands.hpp"
 #include "io/atomic_file.hpp"
@@ -31,7 +32,8 @@ void write_scene(const SceneArguments& arguments) {
 
 Command setup_scene(CLI::App& app) {
     auto arguments = std::make_shared<SceneArguments>();
-    app.add_option("NAME", arguments->name, "clevis, house, ship or office")->required();
+    app.add_option("NAME", arguments->name, fmt::format("{}", fmt::join(scene_names(), ", ")))
+        ->required();
     app.add_option("-o,--output", arguments->output, "OBJ file to write")->required();
     app.footer("Example: lineatlas scene ship -o ship.obj");
     return [arguments] { write_scene(*arguments); };

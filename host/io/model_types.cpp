@@ -1,6 +1,7 @@
 #include "model_types.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "extension.hpp"
 
@@ -17,6 +18,18 @@ std::string model_extensions() {
         const bool last = &type == &model_types.back();
         text += text.empty() ? "" : last ? " and " : ", ";
         text += type.extension;
+    }
+    return text;
+}
+
+std::string model_type_names(std::string_view last) {
+    std::vector<std::string_view> names;
+    for (const ModelType& type : model_types)
+        if (names.empty() || names.back() != type.name) names.push_back(type.name);
+    std::string text;
+    for (const std::string_view name : names) {
+        if (!text.empty()) text += name == names.back() ? last : ", ";
+        text += name;
     }
     return text;
 }

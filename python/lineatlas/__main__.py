@@ -33,7 +33,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python3 -m lineatlas",
         description="Draws the visible lines of a model. `lineatlas draw` can do more.")
-    parser.add_argument("model", nargs="?", metavar="MODEL", help="a model file: OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES, BREP")
+    parser.add_argument("model", nargs="?", metavar="MODEL", help="file of a type that lineatlas.load() reads")
     parser.add_argument("--scene", choices=lineatlas.SCENES, help="a built-in model in its place")
     parser.add_argument("-o", "--output", required=True, type=pathlib.Path,
                         help="picture to write: .png, .jpg, .tif, ...; paths: .svg, .pdf, .dxf, .json")

@@ -15,6 +15,7 @@
 #include "arrays.hpp"
 #include "base/exact_bounds.hpp"
 #include "bindings.hpp"
+#include "io/model_types.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/io.hpp"
 #include "lineatlas/scenes.hpp"
@@ -287,7 +288,7 @@ void bind_scene(py::module_& module) {
             "view", [](const PythonScene& scene, Real<"t"> t) { return scene.view(t); },
             py::arg("t") = 0.0F, "The view at t, 0 to 1, along the camera path.");
     module.def("scene", &make_python_scene, py::arg("name"),
-               "Builds a scene: clevis, house, ship or office.");
+               fmt::format("Builds a scene, one of {}.", fmt::join(scene_names(), ", ")).c_str());
     py::list names;
     for (const std::string_view name : scene_names()) names.append(py::str(std::string{name}));
     module.attr("SCENES") = py::tuple(names);
@@ -388,8 +389,7 @@ void bind_mesh(py::module_& module) {
         py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("pixels") = 1280.0F,
         py::arg("read_memory") = 0.0F, py::arg("read_seconds") = 0.0F,
         py::arg("progress") = py::none(),
-        "Reads an OBJ, PLY, STL, OFF, OM, glTF, GLB, 3MF, STEP, IGES or BREP file. Raises\n"
-        "FileError.\n\n"
+        ("Reads a file of one of these types: " + model_type_names() + ".\nRaises FileError.\n\n"
         "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
         "millimetres; 0: a quarter of a pixel of a drawing in which the model's diagonal has\n"
         "`pixels` pixels. They are read by a process of their own, so that damaged files cannot\n"
@@ -397,7 +397,8 @@ void bind_mesh(py::module_& module) {
         "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.\n\n"
         "progress: called with the share that is done, 0 to 1; Cancelled is raised once it "
         "returns\n"
-        "False.");
+        "False.")
+            .c_str());
     bind_scene(module);
 }
 

@@ -1,12 +1,17 @@
 // PLY, STL, OFF and OM; damaged files of all formats.
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
+#include "io/model_types.hpp"
 #include "mesh_io_fixture.hpp"
 
 namespace lineatlas::test {
@@ -344,6 +349,34 @@ TEST(SharedMeshes, AllLoadOrSayWhyNot) {
             EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
         }
     }
+}
+
+// Lists of types that are written by hand
+
+std::vector<std::string_view> types_missing_in(const std::string& text) {
+    std::vector<std::string_view> missing;
+    const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    for (const ModelType& type : model_types) {
+        const auto is_word = [&](std::size_t at) {
+            return !is_letter(text[at - 1]) && !is_letter(text[at + type.name.size()]);
+        };
+        std::size_t at = text.find(type.name, 1);
+        while (at != std::string::npos && !is_word(at)) at = text.find(type.name, at + 1);
+        if (at == std::string::npos) missing.push_back(type.name);
+    }
+    return missing;
+}
+
+TEST(ModelTypes, AreInAllLists) {
+    for (const char* file :
+         {"README.md", "docs/input.md", "packaging/lineatlas.1", "host/include/lineatlas/io.hpp"}) {
+        std::stringstream text;
+        text << std::ifstream{fs::path{LINEATLAS_SOURCE_DIR} / file}.rdbuf();
+        EXPECT_EQ(types_missing_in(text.str()), std::vector<std::string_view>{}) << file;
+    }
+    EXPECT_EQ(types_missing_in(" " + model_type_names() + " "), std::vector<std::string_view>{});
+    EXPECT_EQ(types_missing_in(" OBJ, PLY, STL, OFF, glTF, GLB, 3MF, STEP, IGES, BREP, OMEGA "),
+              std::vector<std::string_view>{"OM"});
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <CLI/App.hpp>
+#include <fmt/ranges.h> // fmt::join
 
 #include "application.hpp"
 #include "command_line/device_options.hpp"
@@ -14,6 +15,7 @@
 #include "command_line/values.hpp"
 #include "compute/opencl/devices.hpp"
 #include "lineatlas/error.hpp"
+#include "lineatlas/scenes.hpp"
 
 namespace {
 
@@ -32,7 +34,8 @@ void declare(CLI::App& app, Arguments& a) {
                    "Files that `draw` takes, sessions too; several stand side by side; default an "
                    "empty window");
     app.add_option("--scene", a.scene,
-                   "A built-in scene in place of MODEL: clevis, house, ship, office");
+                   fmt::format("A built-in scene in place of MODEL: {}",
+                               fmt::join(scene_names(), ", ")));
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
     app.add_option("--camera", a.camera, "A camera to begin with: JSON, as the viewer saves it");
     app.add_option("--up", a.up,

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "io/model_types.hpp"
 #include "viewer/examples.hpp"
 #include "widgets.hpp"
 
@@ -58,8 +59,8 @@ void draw_start_panel(Ui& ui, Area canvas) {
     begin_overlay(ui, "start", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F}, {24, 18});
     heading(ui, "Line drawings of 3D models");
     ImGui::PushTextWrapPos();
-    ImGui::TextDisabled("Drop a file here, or open one: OBJ, PLY, STL, OFF, OM, glTF, 3MF, STEP, "
-                        "IGES, BREP, or a session.");
+    ImGui::TextDisabled("Drop a file here, or open one: %s, or a session.",
+                        model_type_names(", ").c_str());
     ImGui::PopTextWrapPos();
     if (toggle(ui, "start.open", "Open ...", true)) switch_panel(ui, Panel::open);
     tip(ui, "Files of a folder, found by typing (Ctrl + O)");
