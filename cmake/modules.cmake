@@ -36,6 +36,7 @@ find_part(GLTF "glTF models" NEEDS draco_FOUND Draco libdraco-dev
                                    meshoptimizer_FOUND meshoptimizer libmeshoptimizer-dev)
 if(HAS_GLTF)
     add_model_module(gltf draco::draco meshoptimizer::meshoptimizer nlohmann_json::nlohmann_json)
+    target_precompile_headers(lineatlas-gltf PRIVATE <nlohmann/json.hpp>)
 endif()
 pkg_check_modules(lib3mf QUIET IMPORTED_TARGET lib3MF)
 pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
