@@ -43,6 +43,7 @@ pkg_check_modules(libzip QUIET IMPORTED_TARGET libzip)
 find_part(3MF "3MF models" NEEDS lib3mf_FOUND lib3mf lib3mf-dev libzip_FOUND libzip libzip-dev)
 if(HAS_3MF)
     add_model_module(3mf PkgConfig::lib3mf PkgConfig::libzip)
+    optimise_lightly(lineatlas-3mf)
 endif()
 # The headers of Open CASCADE are for older standards, and its CMake files ask for all of it. Since 7.8
 # two libraries have what four had before.
@@ -59,6 +60,7 @@ if(HAS_BREP)
     add_model_module(brep ${opencascade_exchange} TKXSBase TKXCAF TKMesh TKLCAF TKCAF TKShHealing
                           TKTopAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
     target_include_directories(lineatlas-brep SYSTEM PRIVATE ${opencascade_includes})
+    optimise_lightly(lineatlas-brep)
     # The process that reads for programs that embed the library, and may crash.
     add_executable(lineatlas-reader host/reader/main.cpp ${sanitizer_sources})
     target_link_libraries(lineatlas-reader PRIVATE lineatlas_io)
