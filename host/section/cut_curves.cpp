@@ -29,8 +29,8 @@ class CurveFinder {
         if (curves_.empty()) return;
         move_places();
         number_curves();
-        for (std::size_t i = 0; i < cut_.steps.size(); ++i)
-            if (curve_of_step_[i] != none)
+        for (const CurveSteps& steps : steps_of_curves())
+            for (const std::uint32_t i : steps)
                 mesh_.known_edges.push_back({.from = cut_.steps[i].from,
                                              .to = cut_.steps[i].to,
                                              .kind = KnownEdge::Kind::wire,
@@ -40,14 +40,15 @@ class CurveFinder {
   private:
     struct Curve {
         std::uint32_t surface;
-        EdgeCurve ellipse;
-        std::uint32_t number = none; ///< of its edge
+        std::optional<EdgeCurve> ellipse; ///< nothing: the curve is known by its places alone
+        std::uint32_t number = none;      ///< of its edge
     };
 
     /// What a place of the cut lies on: a curve, or else the line of a step.
     struct Guide {
         std::uint32_t curve = none;
         glm::dvec3 from{0}, way{0};
+        std::optional<glm::dvec2> parameters{}; ///< of the place on the curve's surface
     };
 
     glm::dvec3 at(std::uint32_t position) const { return glm::dvec3{mesh_.positions[position]}; }
@@ -93,14 +94,18 @@ class CurveFinder {
         // A plane may cut a surface in two curves, as a torus.
         std::vector<std::uint32_t>& known = curves_of_surface_[surface];
         for (const std::uint32_t curve : known)
-            if (is_along(step, curves_[curve].ellipse)) return curve;
+            if (!curves_[curve].ellipse || is_along(step, *curves_[curve].ellipse)) return curve;
         const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
+        const std::optional<glm::dvec2> parameters = parameters_at(step, step.from);
+        if (!parameters) return none;
         const std::optional<SurfaceCurve> curve =
             plane_section(mesh_.surfaces.shapes[placed.shape], plain_of(placed.shape), placed,
-                          plane_.origin, plane_.normal, parameters_of(step));
-        if (!curve) return none;
-        const EdgeCurve ellipse{.center = curve->point, .u = curve->u, .v = curve->v};
-        if (!is_along(step, ellipse)) return none;
+                          plane_.origin, plane_.normal, *parameters);
+        std::optional<EdgeCurve> ellipse;
+        if (curve) {
+            ellipse = {.center = curve->point, .u = curve->u, .v = curve->v};
+            if (!is_along(step, *ellipse)) return none;
+        }
         known.push_back(static_cast<std::uint32_t>(curves_.size()));
         curves_.push_back({surface, ellipse});
         return known.back();
@@ -112,10 +117,48 @@ class CurveFinder {
         return *plain;
     }
 
-    glm::dvec2 parameters_of(const CutStep& step) const {
-        const glm::uvec3 corners = mesh_.triangles[step.triangle];
-        const int corner = corners.x == step.from ? 0 : corners.y == step.from ? 1 : 2;
-        return mesh_.surfaces.parameters[step.triangle][static_cast<std::size_t>(corner)];
+    /// The parameters of an end of a step. Nothing if the triangle was too small to be kept.
+    std::optional<glm::dvec2> parameters_at(const CutStep& step, std::uint32_t position) const {
+        const std::size_t end = std::min<std::size_t>(step.triangle + 2, mesh_.triangles.size());
+        for (std::size_t i = step.triangle; i < end; ++i)
+            for (int corner = 0; corner < 3; ++corner)
+                if (mesh_.triangles[i][corner] == position &&
+                    mesh_.surfaces.of_triangle[i] == mesh_.surfaces.of_triangle[step.triangle])
+                    return mesh_.surfaces.parameters[i][static_cast<std::size_t>(corner)];
+        return std::nullopt;
+    }
+
+    using CurveSteps = std::vector<std::uint32_t>;
+
+    /// The steps of every curve, each behind the one that ends where it begins.
+    std::vector<CurveSteps> steps_of_curves() const {
+        std::vector<CurveSteps> result(curves_.size());
+        for (std::uint32_t i = 0; i < cut_.steps.size(); ++i)
+            if (curve_of_step_[i] != none) result[curve_of_step_[i]].push_back(i);
+        for (std::size_t i = 0; i < curves_.size(); ++i)
+            if (!curves_[i].ellipse) result[i] = in_order(result[i]);
+        return result;
+    }
+
+    CurveSteps in_order(const CurveSteps& steps) const {
+        std::map<std::uint32_t, std::uint32_t> by_start;
+        std::set<std::uint32_t> ends;
+        for (const std::uint32_t i : steps) {
+            by_start.emplace(cut_.steps[i].from, i);
+            ends.insert(cut_.steps[i].to);
+        }
+        CurveSteps result;
+        const auto follow = [&](std::uint32_t position) {
+            for (auto next = by_start.find(position); next != by_start.end();
+                 next = by_start.find(cut_.steps[result.back()].to)) {
+                result.push_back(next->second);
+                by_start.erase(next);
+            }
+        };
+        for (const std::uint32_t i : steps)
+            if (!ends.contains(cut_.steps[i].from)) follow(cut_.steps[i].from);
+        while (!by_start.empty()) follow(by_start.begin()->first); // loops
+        return result;
     }
 
     /// What the cut follows at each place, and how far the place may be moved along the plane.
@@ -128,10 +171,11 @@ class CurveFinder {
         std::map<std::uint32_t, Guides> places;
         for (std::size_t i = 0; i < cut_.steps.size(); ++i) {
             const CutStep& step = cut_.steps[i];
-            const Guide guide{.curve = curve_of_step_[i],
-                              .from = at(step.from),
-                              .way = at(step.to) - at(step.from)};
+            Guide guide{.curve = curve_of_step_[i],
+                        .from = at(step.from),
+                        .way = at(step.to) - at(step.from)};
             for (const std::uint32_t position : {step.from, step.to}) {
+                if (guide.curve != none) guide.parameters = parameters_at(step, position);
                 Guides& guides = places[position];
                 guides.reach = std::max(guides.reach, 0.25 * longest_side(step.triangle));
                 if (guide.curve != none || !is_of_curves(step)) guides.all.push_back(guide);
@@ -168,14 +212,35 @@ class CurveFinder {
         const auto first =
             std::ranges::find_if(guides, [](const Guide& one) { return one.curve != none; });
         if (first == guides.end()) return std::nullopt;
-        const EdgeCurve& curve = curves_[first->curve].ellipse;
         const auto other = std::ranges::find_if(
             guides, [&](const Guide& one) { return one.curve != first->curve; });
         std::optional<glm::dvec3> result;
-        if (other != guides.end())
-            result = other->curve == none ? on_line(curve, other->from, other->way, place)
-                                          : crossing(curve, curves_[other->curve].ellipse, place);
-        return result ? result : nearest(curve, place);
+        if (other != guides.end()) result = crossing(*first, *other, place);
+        return result ? result : nearest(*first, place);
+    }
+
+    std::optional<glm::dvec3> nearest(const Guide& guide, glm::dvec3 place) const {
+        const Curve& curve = curves_[guide.curve];
+        if (curve.ellipse) return nearest(*curve.ellipse, place);
+        if (!guide.parameters) return std::nullopt;
+        const PlacedSurface& placed = mesh_.surfaces.surfaces[curve.surface];
+        return place_on_plane(mesh_.surfaces.shapes[placed.shape], placed, plane_.origin,
+                              plane_.normal, *guide.parameters);
+    }
+
+    /// The place nearby where a curve and another guide cross.
+    std::optional<glm::dvec3> crossing(const Guide& curve, const Guide& other,
+                                       glm::dvec3 place) const {
+        const std::optional<EdgeCurve>& ellipse = curves_[curve.curve].ellipse;
+        if (other.curve == none) {
+            if (ellipse) return on_line(*ellipse, other.from, other.way, place);
+            if (!curve.parameters) return std::nullopt;
+            const PlacedSurface& placed = mesh_.surfaces.surfaces[curves_[curve.curve].surface];
+            return place_on_line(mesh_.surfaces.shapes[placed.shape], placed, other.from, other.way,
+                                 *curve.parameters);
+        }
+        const std::optional<EdgeCurve>& its = curves_[other.curve].ellipse;
+        return ellipse && its ? crossing(*ellipse, *its, place) : std::nullopt;
     }
 
     /// The place of an ellipse on a line, the nearer one of two.

@@ -14,6 +14,8 @@ namespace {
 
 /// Sines below this are 0, and so are shares of a size.
 constexpr double straight = 1e-7;
+/// The sine of the angle between a line and a surface that it touches, at most.
+constexpr double touches = 0.02;
 
 /// A plane in the coordinates of a shape.
 struct Plane {
@@ -35,6 +37,17 @@ std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane
         at -= distance / gain * glm::dvec2{u > 0 ? slope.x / u : 0, v > 0 ? slope.y / v : 0};
     }
     return std::nullopt;
+}
+
+glm::dmat3 axes_of(const PlacedSurface& placed) {
+    const glm::dmat4x3& m = placed.model_from_shape;
+    return {m[0], m[1], m[2]};
+}
+
+Plane plane_of(const PlacedSurface& placed, glm::dvec3 point, glm::dvec3 normal) {
+    const glm::dmat3 axes = axes_of(placed);
+    return {glm::inverse(axes) * (point - placed.model_from_shape[3]),
+            glm::normalize(glm::transpose(axes) * normal)};
 }
 
 /// The circle about the axis through a place.
@@ -138,18 +151,43 @@ std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const Surfa
                                           const PlacedSurface& placed, glm::dvec3 point,
                                           glm::dvec3 normal, glm::dvec2 at) {
     if (plain.kind != SurfaceShape::Kind::revolution) return std::nullopt;
-    const glm::dmat4x3& m = placed.model_from_shape;
-    const glm::dmat3 axes{m[0], m[1], m[2]};
-    const Plane plane{glm::inverse(axes) * (point - m[3]),
-                      glm::normalize(glm::transpose(axes) * normal)};
-    std::optional<SurfaceCurve> curve = section_of(shape, plain, plane, at);
+    const glm::dmat3 axes = axes_of(placed);
+    std::optional<SurfaceCurve> curve =
+        section_of(shape, plain, plane_of(placed, point, normal), at);
     if (!curve) return std::nullopt;
-    curve->point = m * glm::dvec4{curve->point, 1};
+    curve->point = placed.model_from_shape * glm::dvec4{curve->point, 1};
     curve->u = axes * curve->u;
     curve->v = axes * curve->v;
     const double skew = std::abs(glm::dot(curve->u, curve->v));
     if (!(skew <= straight * glm::length(curve->u) * glm::length(curve->v))) return std::nullopt;
     return curve;
+}
+
+std::optional<glm::dvec3> place_on_plane(const SurfaceShape& shape, const PlacedSurface& placed,
+                                         glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at) {
+    const auto place = place_on(shape, plane_of(placed, point, normal), at);
+    if (!place) return std::nullopt;
+    return placed.model_from_shape * glm::dvec4{*place, 1};
+}
+
+std::optional<glm::dvec3> place_on_line(const SurfaceShape& shape, const PlacedSurface& placed,
+                                        glm::dvec3 from, glm::dvec3 way, glm::dvec2 at) {
+    const glm::dmat3 axes = axes_of(placed);
+    double along = 0;
+    for (int i = 0; i < 12; ++i) {
+        const SurfacePoint surface = evaluate(shape, at);
+        const glm::dvec3 place = placed.model_from_shape * glm::dvec4{surface.at, 1};
+        const glm::dvec3 off = from + along * way - place;
+        const glm::dmat3 change{axes * surface.u, axes * surface.v, -way};
+        const double size =
+            glm::length(change[0]) * glm::length(change[1]) * glm::length(change[2]);
+        if (!(std::abs(glm::determinant(change)) > touches * size)) return std::nullopt;
+        if (glm::length(off) <= 1e-12 * (glm::length(from) + glm::length(way))) return place;
+        const glm::dvec3 step = glm::inverse(change) * off;
+        at += glm::dvec2{step};
+        along += step.z;
+    }
+    return std::nullopt;
 }
 
 } // namespace lineatlas

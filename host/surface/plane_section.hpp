@@ -22,4 +22,14 @@ std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const Surfa
                                           const PlacedSurface& placed, glm::dvec3 point,
                                           glm::dvec3 normal, glm::dvec2 at);
 
+/// A place of a surface on a plane, near the place with the parameters `at`. None if the surface
+/// only touches the plane there.
+std::optional<glm::dvec3> place_on_plane(const SurfaceShape& shape, const PlacedSurface& placed,
+                                         glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at);
+
+/// The place where a line goes through a surface, near the place with the parameters `at`. None if
+/// the line only touches the surface there.
+std::optional<glm::dvec3> place_on_line(const SurfaceShape& shape, const PlacedSurface& placed,
+                                        glm::dvec3 from, glm::dvec3 way, glm::dvec2 at);
+
 } // namespace lineatlas
