@@ -19,6 +19,7 @@
 #include "edges_by_place.hpp"
 #include "mesh_circles.hpp"
 #include "paths.hpp"
+#include "rim_ends.hpp"
 #include "seen_ellipse.hpp"
 #include "segment_grid.hpp"
 #include "spline_edges.hpp"
@@ -36,6 +37,7 @@ constexpr double most_off_surface = 0.02; ///< of cubics, from points of a surfa
 constexpr double most_off_mesh = 0.05;
 constexpr double farthest_end = 40; ///< of what ends within a chord of a silhouette, pixels
 constexpr double beside = 0.5;      ///< pixels; remove_overlaps() takes 0.25 at most
+constexpr double most_chords = 4;   ///< of an edge that goes on beside a silhouette
 constexpr double at_chord = 0.05;   ///< of what ends there, pixels, as simplified paths are off
 
 constexpr std::uint32_t none = EdgesByPlace::none;
@@ -104,6 +106,13 @@ class PathCurves::Finder {
     /// True if the mesh has curves that paths may be bent along.
     bool knows_curves() const { return !mesh_.edge_curves.empty() || !splines_.empty(); }
 
+    /// Whether bend() divides the chord of a piece.
+    bool is_bent(const VectorPath& path, const VectorPiece& piece) const {
+        const VectorPoint &a = path.points[piece.point], &b = path.points[piece.point + 1];
+        const std::optional<Turn> turn = turn_of(piece.source, a, b);
+        return turn && chords_of(*turn, a, b) > 1;
+    }
+
     /// Puts a path onto its curves. Call before points are left out, while each step is one piece.
     void bend(VectorPath& path) const {
         std::vector<VectorPoint> points{path.points.front()};
@@ -166,7 +175,7 @@ class PathCurves::Finder {
                 std::ranges::upper_bound(ends, point.at.x + farthest_end, {}, &End::x);
             std::vector<std::pair<double, const End*>> ways;
             for (auto one = first; one != last; ++one)
-                if (const std::optional<double> way = way_to(*one, point))
+                if (const std::optional<double> way = way_to(*one, silhouette))
                     ways.emplace_back(*way, &*one);
             const auto nearest = std::ranges::min_element(
                 ways, {}, [](const auto& way) { return std::abs(way.first); });
@@ -257,6 +266,29 @@ class PathCurves::Finder {
             for (VectorPiece& piece : path.pieces)
                 if (piece.point > i) --piece.point;
             path.points.erase(path.points.begin() + static_cast<std::ptrdiff_t>(i == 0 ? 1 : i));
+        }
+    }
+
+    /// Leaves out ends of rims seen edge on that turn back: what is seen of the far half beside the
+    /// extreme runs along the near half.
+    static void drop_hooks(VectorPath& path) {
+        constexpr double longest = 0.5; // pixels
+        constexpr double back = -0.99;  // cosine
+        if (path.closed || path.pieces.empty()) return;
+        for (const bool at_end : {false, true}) {
+            const std::vector<VectorPoint>& points = path.points;
+            const VectorPiece& piece = at_end ? path.pieces.back() : path.pieces.front();
+            if (points.size() < 3 || piece.edge == VectorPiece::none) continue;
+            const auto at = [&](std::size_t i) {
+                return points[at_end ? points.size() - 1 - i : i].at;
+            };
+            const glm::dvec2 hook = at(1) - at(0), on = at(2) - at(1);
+            const double length = glm::length(hook), whole = length_of(path);
+            if (!(length < longest && glm::dot(hook, on) < back * length * glm::length(on)))
+                continue;
+            const bool thinned = path.thinned;
+            path = part_of(path, at_end ? 0 : length, at_end ? whole - length : whole);
+            path.thinned = thinned;
         }
     }
 
@@ -367,11 +399,13 @@ class PathCurves::Finder {
         return at_end ? path.points.back() : path.points.front();
     }
 
-    /// The angle from an edge's end to a place on its curve; nothing if that is farther than its
-    /// last chord is long.
-    std::optional<double> way_to(const End& end, const VectorPoint& point) const {
+    /// The angle from an edge's end to the end of a silhouette on its curve; nothing if that is
+    /// farther than its last chord is long. It may be some chords farther where the edge runs so
+    /// close beside the silhouette that its chords are not hidden yet.
+    std::optional<double> way_to(const End& end, const End& silhouette) const {
         if (end.curve == nullptr) return {};
         const EdgeCurve& curve = *end.curve;
+        const VectorPoint& point = point_at(*silhouette.path, silhouette.at_end);
         const VectorPoint& own = point_at(*end.path, end.at_end);
         if (!(glm::distance(own.at, point.at) < farthest_end)) return {};
         const double angle = angle_on(curve, point.world);
@@ -381,8 +415,15 @@ class PathCurves::Finder {
         const LineSource& source =
             (end.at_end ? end.path->pieces.back() : end.path->pieces.front()).source;
         const double way = std::remainder(angle - angle_on(curve, own.world), turn);
-        if (!(std::abs(way) < 1.01 * std::abs(chord_of(curve, source)))) return {};
-        return way;
+        const double chords = std::abs(way / chord_of(curve, source));
+        if (chords < 1.01 || (chords < most_chords && passes(*silhouette.path, own.at))) return way;
+        return {};
+    }
+
+    static bool passes(const VectorPath& path, glm::dvec2 at) {
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+            if (distance_to(at, path.points[i].at, path.points[i + 1].at) < beside) return true;
+        return false;
     }
 
     /// The angle between the ends of an edge's chord.
@@ -722,9 +763,14 @@ PathCurves::~PathCurves() = default;
 
 void PathCurves::bend(std::vector<VectorPath>& paths) const {
     if (!finder_ || !finder_->knows_curves()) return;
+    const RimEnds ends{paths, finder_->size(),
+                       [&](const VectorPath& path, const VectorPiece& piece) {
+                           return finder_->is_bent(path, piece);
+                       }};
     for (VectorPath& path : paths)
         if (!path.pieces.empty()) finder_->bend(path);
     finder_->meet(paths);
+    ends.move(paths);
 }
 
 void PathCurves::name(std::vector<VectorPath>& paths) const {
@@ -775,7 +821,10 @@ void PathCurves::find(std::vector<VectorPath>& paths) const {
         ends.emplace(paths, finder_->size());
     }
     for (VectorPath& path : paths) {
-        if (finder_->knows_curves()) Finder::drop_short_steps(path);
+        if (finder_->knows_curves()) {
+            Finder::drop_short_steps(path);
+            Finder::drop_hooks(path);
+        }
         finder_->find(path, ends ? &*ends : nullptr);
     }
 }

@@ -1,8 +1,11 @@
 #include "junctions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -16,6 +19,11 @@ namespace {
 constexpr double least_sine = 0.01;
 /// How near to its very end, in pixels, a line may cross another.
 constexpr double end_slack = 0.05;
+/// Ends of contours with one name meet if their depths differ by less than this.
+constexpr double same_depth = 1e-5;
+/// How far from its silhouette the exact method may see a line vanish, pixels: triangles are inside
+/// their surface, and the line may come to the silhouette aslant.
+constexpr double exact_reach = 2.5;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -29,7 +37,8 @@ struct Range {
 class Junctions {
   public:
     Junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach)
-        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture), reach_(reach),
+        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture),
+          reach_(pieces.exact ? std::max(reach, exact_reach) : reach),
           line_at_(lines.vertices.size(), no_line) {
         for (std::uint32_t i = 0; i < before_.size(); ++i) {
             const Piece& piece = before_[i];
@@ -40,16 +49,17 @@ class Junctions {
             if (at_vertex(piece.start.kind)) note_line_at(segment.p, piece.segment);
             if (at_vertex(piece.end.kind)) note_line_at(segment.q, piece.segment);
         }
+        if (pieces.exact && !lines.contours.surfaces.empty())
+            for (std::size_t i = 0; i < before_.size(); ++i) note_chord_ends(i);
     }
 
     std::size_t meet_all() {
         std::size_t met = 0;
         if (pieces_.exact && lines_.contours.surfaces.empty()) return met;
-        for (std::size_t i = 0; i < pieces_.list.size(); ++i) {
-            if (!pieces_.list[i].visible) continue;
-            met += meet(i, false) ? 1U : 0U;
-            met += meet(i, true) ? 1U : 0U;
-        }
+        for (std::size_t i = 0; i < pieces_.list.size(); ++i)
+            for (const bool at_end : {false, true})
+                met += before_[i].visible && pieces_.list[i].visible && meet(i, at_end) ? 1U : 0U;
+        insert_divided();
         return met;
     }
 
@@ -78,7 +88,9 @@ class Junctions {
     bool meet(std::size_t i, bool at_end) {
         Piece& piece = pieces_.list[i];
         PieceEnd& end = end_of(piece, at_end);
-        if (end.kind != LA_END_HIDDEN || !(pieces_.segment_of(piece).length > 0)) return false;
+        if (!(pieces_.segment_of(piece).length > 0)) return false;
+        if (end.kind != LA_END_HIDDEN)
+            return is_hidden_on(i, at_end) && meet_on_next_chord(i, at_end);
         Piece* other = neighbour(i, at_end);
         const bool shared = other != nullptr && touches(piece, *other, at_end);
         // The line is visible on either side of the vertex.
@@ -88,11 +100,111 @@ class Junctions {
         double limit = at_end ? 1 : 0;
         if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
         const Range range = at_end ? Range{piece.start.t, limit} : Range{limit, piece.end.t};
-        const std::optional<double> t = nearest_crossing(piece, end.t, range);
-        if (!t) return meet_vertex(piece, at_end, range, moves_along ? other : nullptr);
+        const std::optional<double> t = nearest_crossing(piece, end.t, range, reach_);
+        if (!t)
+            return meet_on_next_chord(i, at_end) ||
+                   meet_vertex(piece, at_end, range, moves_along ? other : nullptr);
         end.t = *t;
         if (moves_along) end_of(*other, !at_end).t = *t;
         return true;
+    }
+
+    /// One of the two ends of a piece.
+    struct Side {
+        std::size_t piece;
+        bool at_end;
+    };
+
+    void note_chord_ends(std::size_t i) {
+        const Piece& piece = before_[i];
+        if (!is_contour(lines_, piece.segment)) return;
+        const ScreenSegment& chord = pieces_.segment_of(piece);
+        if (piece.start.t == 0) ends_of_chords_.emplace(chord.end_p, Side{i, false});
+        if (piece.end.t == 1) ends_of_chords_.emplace(chord.end_q, Side{i, true});
+    }
+
+    /// The end of the next chord of a contour that is there where a piece's own chord ends.
+    std::optional<Side> next_chord(const Piece& piece, bool at_end) const {
+        const ScreenSegment& own = pieces_.segment_of(piece);
+        const double depth = (at_end ? own.q : own.p).depth;
+        const auto [first, last] = ends_of_chords_.equal_range(at_end ? own.end_q : own.end_p);
+        for (auto found = first; found != last; ++found) {
+            const Piece& other = before_[found->second.piece];
+            const ScreenSegment& chord = pieces_.segment_of(other);
+            const double its_depth = (found->second.at_end ? chord.q : chord.p).depth;
+            if (other.screen != piece.screen && std::abs(its_depth - depth) < same_depth)
+                return found->second;
+        }
+        return std::nullopt;
+    }
+
+    /// Whether a contour is hidden from the end of this chord on.
+    bool is_hidden_on(std::size_t i, bool at_end) const {
+        if (!pieces_.exact || !is_contour(lines_, before_[i].segment)) return false;
+        const std::optional<Side> next = next_chord(before_[i], at_end);
+        return next && !before_[next->piece].visible;
+    }
+
+    /// A contour is a row of chords. The crossing may be on the next chord, which is hidden, or on
+    /// the chord before, which is visible.
+    bool meet_on_next_chord(std::size_t i, bool at_end) {
+        Piece& piece = pieces_.list[i];
+        if (!pieces_.exact || !is_contour(lines_, piece.segment)) return false;
+        struct Found {
+            Side side;
+            double t, way;
+            bool goes_on;
+        };
+        std::optional<Found> nearest;
+        for (const bool goes_on : {true, false}) {
+            const bool side = goes_on == at_end;
+            const double chord_end = side ? 1 : 0;
+            if (!goes_on && end_of(piece, side).t != chord_end) continue;
+            const double way =
+                std::abs(chord_end - end_of(piece, at_end).t) * pieces_.segment_of(piece).length;
+            const std::optional<Side> next = next_chord(piece, side);
+            if (!(way < reach_) || !next) continue;
+            Piece& other = pieces_.list[next->piece];
+            const double from = next->at_end ? 1 : 0;
+            if (other.visible == goes_on || end_of(other, next->at_end).t != from) continue;
+            const auto t =
+                nearest_crossing(other, from, {other.start.t, other.end.t}, reach_ - way);
+            if (!t) continue;
+            const double whole = way + std::abs(*t - from) * pieces_.segment_of(other).length;
+            if (!nearest || whole < nearest->way) nearest = {*next, *t, whole, goes_on};
+        }
+        if (!nearest) return false;
+        Piece* const rest = neighbour(i, at_end);
+        if (!nearest->goes_on)
+            piece.visible = false;
+        else if (rest != nullptr && rest->screen == piece.screen)
+            rest->visible = true;
+        divide(nearest->side, nearest->t);
+        return true;
+    }
+
+    /// Divides a piece. The part at the given end is visible if the piece is not.
+    void divide(const Side& side, double t) {
+        Piece& piece = pieces_.list[side.piece];
+        Piece part = piece;
+        part.visible = !piece.visible;
+        end_of(piece, side.at_end) = end_of(part, !side.at_end) = {.t = t, .kind = LA_END_HIDDEN};
+        divided_.emplace(side.piece, std::pair{side.at_end, part});
+    }
+
+    /// Puts the new parts beside the pieces that they are of.
+    void insert_divided() {
+        if (divided_.empty()) return;
+        std::vector<Piece> list;
+        for (std::size_t i = 0; i < pieces_.list.size(); ++i) {
+            const auto [first, last] = divided_.equal_range(i);
+            for (auto part = first; part != last; ++part)
+                if (!part->second.first) list.push_back(part->second.second);
+            list.push_back(pieces_.list[i]);
+            for (auto part = first; part != last; ++part)
+                if (part->second.first) list.push_back(part->second.second);
+        }
+        pieces_.list = std::move(list);
     }
 
     /// Moves an end to a nearby vertex where another visible line ends. Lines vanish behind their
@@ -121,8 +233,9 @@ class Junctions {
         line = line == no_line || line == segment ? segment : several_lines;
     }
 
-    std::optional<double> nearest_crossing(const Piece& piece, double t, Range range) {
-        const double step = reach_ / pieces_.segment_of(piece).length;
+    std::optional<double> nearest_crossing(const Piece& piece, double t, Range range,
+                                           double reach) {
+        const double step = reach / pieces_.segment_of(piece).length;
         const glm::dvec2 from = pieces_.point(piece, t - step).at;
         const glm::dvec2 to = pieces_.point(piece, t + step).at;
         std::optional<double> nearest;
@@ -168,6 +281,9 @@ class Junctions {
     SegmentGrid grid_;
     double reach_;
     std::vector<std::uint32_t> line_at_; ///< per vertex, the segment that is visible there
+    std::multimap<std::uint64_t, Side> ends_of_chords_; ///< of contours, by their names
+    /// New parts, by the piece that each is of, and whether the part stands behind the piece.
+    std::multimap<std::size_t, std::pair<bool, Piece>> divided_;
 };
 
 } // namespace

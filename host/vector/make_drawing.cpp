@@ -23,6 +23,7 @@
 #include "plotter.hpp"
 #include "shared/constants.h"
 #include "simplify.hpp"
+#include "smooth_joints.hpp"
 #include "strips.hpp"
 #include "style/settings.hpp"
 #include "thin_out.hpp"
@@ -171,6 +172,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     curves.keep_shared_chords(drawing.paths);
     const std::vector<std::uint32_t> along = curves.numbers(drawing.paths);
     drawing.paths = remove_overlaps(std::move(drawing.paths), picture, along);
+    join_smoothly(drawing.paths);
     drop_short(camera, drawing.paths);
 
     drawing.paths = thin_out(std::move(drawing.paths), style, picture);

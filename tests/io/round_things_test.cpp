@@ -259,6 +259,94 @@ TEST_F(RoundThings, ATorusIsDrawnWhereItsSurfaceTurnsAway) {
     }
 }
 
+/// Pixels from a place to the nearest point of a path.
+double distance_to(const VectorPath& path, glm::dvec2 at) {
+    double nearest = INFINITY;
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+        const glm::dvec2 a = path.points[i].at, way = path.points[i + 1].at - a;
+        const double share = std::clamp(glm::dot(at - a, way) / glm::dot(way, way), 0.0, 1.0);
+        nearest = std::min(nearest, glm::distance(at, a + share * way));
+    }
+    return nearest;
+}
+
+/// The far side of the hole ends where it goes behind the near side. Triangles end before that, by
+/// less or more than the chord of the silhouette that ends there. The near side itself ends in
+/// cusps, far from other lines.
+TEST_F(RoundThings, ASilhouetteEndsAtTheOneThatHidesIt) {
+    const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+    int met = 0;
+    for (int azimuth = 20; azimuth < 35; azimuth += 3) {
+        const std::string direction =
+            std::to_string(azimuth) + "," + std::to_string(16 + azimuth / 6);
+        SCOPED_TRACE(direction);
+        const VectorDrawing drawn =
+            drawing("a.brep", to_brep(torus), direction, {1024, 768}, Projection::orthographic);
+        for (const VectorPath& path : drawn.paths) {
+            if (!path.visible || path.closed) continue;
+            for (const VectorPoint& end : {path.points.front(), path.points.back()})
+                for (const VectorPath& other : drawn.paths) {
+                    if (!other.visible || &other == &path) continue;
+                    const double away = distance_to(other, end.at);
+                    EXPECT_TRUE(away < 0.08 || away > 5) << away;
+                    met += away < 0.08 ? 1 : 0;
+                }
+        }
+    }
+    EXPECT_EQ(met, 2 * 5);
+}
+
+/// A plate with a boss.
+TopoDS_Shape plate_with_boss() {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, 0), gp_Pnt(20, 20, 8)).Shape();
+    return BRepAlgoAPI_Fuse(plate, BRepPrimAPI_MakeCylinder(10, 20).Shape()).Shape();
+}
+
+/// The edges of the plate end at the rim of the boss, not at a chord of the rim.
+TEST_F(RoundThings, EdgesEndAtTheRimThatHidesThem) {
+    int met = 0;
+    for (const char* direction : {"isometric", "75,35", "200,-45"}) {
+        SCOPED_TRACE(direction);
+        const VectorDrawing drawn = drawing("a.brep", to_brep(plate_with_boss()), direction,
+                                            {1024, 768}, Projection::orthographic);
+        for (const VectorPath& rim : drawn.paths)
+            for (const VectorCurve& curve : rim.curves) {
+                if (!rim.visible || curve.cubic) continue;
+                VectorPath arc;
+                constexpr int steps = 1000;
+                for (int i = 0; i <= steps; ++i)
+                    arc.points.push_back(
+                        {.at = curve.arc.at(curve.arc.from + curve.arc.sweep * i / steps)});
+                for (const VectorPath& path : drawn.paths) {
+                    if (!path.visible || path.closed || &path == &rim) continue;
+                    for (const VectorPoint& end : {path.points.front(), path.points.back()}) {
+                        const double away = distance_to(arc, end.at);
+                        EXPECT_TRUE(away < 0.02 || away > 1) << away;
+                        met += away < 0.02 ? 1 : 0;
+                    }
+                }
+            }
+    }
+    EXPECT_GT(met, 6);
+}
+
+/// The far half of a rim seen edge on is not drawn beside its end.
+TEST_F(RoundThings, ARimSeenEdgeOnDoesNotTurnBack) {
+    const TopoDS_Shape shaft = BRepPrimAPI_MakeCylinder(10, 40).Shape();
+    const TopoDS_Shape tip =
+        BRepPrimAPI_MakeCone(gp_Ax2{gp_Pnt{0, 0, 40}, gp::DZ()}, 10, 0, 8).Shape();
+    const std::string drill = to_brep(BRepAlgoAPI_Fuse(shaft, tip).Shape());
+    for (const std::string& direction : level) {
+        SCOPED_TRACE(direction);
+        const VectorDrawing drawn =
+            drawing("a.brep", drill, direction, {1024, 768}, Projection::orthographic);
+        for (const VectorPath& path : drawn.paths) {
+            if (!path.visible || path.kind == LineKind::silhouette) continue;
+            EXPECT_EQ(path.points.size(), 2U);
+        }
+    }
+}
+
 /// All silhouettes become curves, and a sphere's outline becomes a circle.
 TEST_F(RoundThings, SilhouettesLeaveAsCurves) {
     const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(10).Shape();
@@ -549,6 +637,8 @@ TEST_F(RoundThings, ATorusSeenAcrossItsAxisIsTwoLinesAndTwoHalfCircles) {
         SCOPED_TRACE(direction);
         const VectorDrawing drawn =
             drawing("a.brep", to_brep(torus), direction, {1000, 800}, Projection::orthographic);
+        ASSERT_EQ(drawn.paths.size(), 1U);
+        EXPECT_TRUE(drawn.paths[0].closed);
         const Parts parts = parts_of(drawn, scale_of(view_, 800));
         ASSERT_EQ(parts.arcs.size(), 2U);
         for (const VectorArc& arc : parts.arcs) {
@@ -675,7 +765,85 @@ TEST_F(RoundThings, SectionsOfSplinesAreCurvesWhereTheyAreRound) {
     const Parts across = sections(bottle(), {0, 0, 1});
     EXPECT_GE(across.arcs.size(), 1U);
     EXPECT_EQ(across.straight, 0);
-    EXPECT_GT(sections(bottle(), {-1, 1, 0.5}).straight, 0); // no circle or ellipse
+}
+
+/// The outline of a cut whose plane is seen at a right angle, which has no ellipses: the length of
+/// the lines that do not run along the surface within `most_off`, and the largest distance of all
+/// others from the surface, in the model's units. `off` tells how far a place lies off the surface.
+struct Cut {
+    double straight = 0, off = 0;
+};
+template <class Off>
+Cut cut_of(const VectorDrawing& drawing, const View& view, double scale, double most_off,
+           const Off& off) {
+    const glm::dvec2 middle = 0.5 * glm::dvec2{drawing.size};
+    const glm::dvec3 sight = glm::normalize(glm::dvec3{view.target - view.eye});
+    const glm::dvec3 aside = glm::cross(sight, glm::dvec3{up});
+    const auto off_at = [&](glm::dvec2 at) {
+        const glm::dvec2 from_middle = (at - middle) / scale;
+        return std::abs(
+            off(glm::dvec3{view.target} + from_middle.x * aside - from_middle.y * glm::dvec3{up}));
+    };
+    Cut cut;
+    for (const VectorPath& path : drawing.paths) {
+        if (!path.visible || path.kind != LineKind::section) continue;
+        std::vector<bool> is_straight(path.points.size() - 1, true);
+        for (const VectorCurve& curve : path.curves) {
+            EXPECT_TRUE(curve.cubic);
+            if (!curve.cubic) continue;
+            for (std::uint32_t i = curve.first; i < curve.last; ++i) is_straight[i] = false;
+            for (int i = 0; i <= 64; ++i) {
+                const double t = i / 64.0, s = 1 - t;
+                const glm::dvec2 at = s * s * s * path.points[curve.first].at +
+                                      3 * s * s * t * curve.cubic->first_control +
+                                      3 * s * t * t * curve.cubic->last_control +
+                                      t * t * t * path.points[curve.last].at;
+                cut.off = std::max(cut.off, off_at(at));
+            }
+        }
+        for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+            if (!is_straight[i]) continue;
+            const glm::dvec2 a = path.points[i].at, b = path.points[i + 1].at;
+            const double worst = std::max({off_at(a), off_at(b), off_at(0.5 * (a + b))});
+            if (worst < most_off)
+                cut.off = std::max(cut.off, worst);
+            else
+                cut.straight += glm::distance(a, b) / scale;
+        }
+    }
+    return cut;
+}
+
+/// A plane beside the axis of a cone cuts it along a hyperbola, and a torus along curves of the
+/// fourth order.
+TEST_F(RoundThings, OtherCutsAreSmoothCurves) {
+    constexpr double beside = 3, most_off = 0.05;
+    for (const glm::ivec2 size : {glm::ivec2{1024, 768}, glm::ivec2{4000, 3000}}) {
+        const auto cut = [&](const TopoDS_Shape& shape, double y, const auto& off) {
+            const VectorDrawing drawn =
+                drawing("a.brep", to_brep(shape), "front", size, Projection::orthographic,
+                        {{.point = {0, y, 0}, .normal = {0, -1, 0}}});
+            const double scale = scale_of(view_, size.y);
+            // The plane is nearer to the eye than the target, which a parallel view does not see.
+            const Cut found = cut_of(drawn, view_, scale, most_off / scale, [&](glm::dvec3 at) {
+                return off(glm::dvec3{at.x, y, at.z});
+            });
+            EXPECT_LT(found.off * scale, most_off);
+            return found;
+        };
+        const double wide =
+            cut(BRepPrimAPI_MakeCone(10, 0, 20).Shape(), -beside, [](glm::dvec3 at) {
+                return (std::hypot(at.x, at.y) - (10 - 0.5 * at.z)) * std::cos(std::atan(0.5));
+            }).straight;
+        EXPECT_NEAR(wide, 2 * std::sqrt(100 - beside * beside), 1e-3); // of the base
+        const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
+        for (const double y : {-5.0, -17.0, -22.0})
+            EXPECT_EQ(
+                cut(torus, y,
+                    [](glm::dvec3 at) { return std::hypot(std::hypot(at.x, at.y) - 20, at.z) - 5; })
+                    .straight,
+                0);
+    }
 }
 
 TEST_F(RoundThings, ASectionAslantIsOneEllipse) {

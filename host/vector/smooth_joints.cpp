@@ -1,0 +1,158 @@
+#include "smooth_joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "paths.hpp"
+
+namespace lineatlas {
+namespace {
+
+constexpr double same_point = 1e-3; ///< pixels
+constexpr double sharpest = 0.2;    ///< radians by which a smooth line turns from chord to chord
+
+/// One of the two ends of a path.
+struct End {
+    glm::dvec2 at;
+    std::uint32_t path;
+    bool at_end;
+
+    std::size_t number() const { return 2 * std::size_t{path} + (at_end ? 1 : 0); }
+    auto order() const { return std::tuple{at.x, at.y, number()}; }
+};
+
+class Joints {
+  public:
+    explicit Joints(std::vector<VectorPath>& paths)
+        : paths_(paths), partners_(2 * paths.size(), none), is_taken_(paths.size(), false) {
+        std::vector<End> ends;
+        for (std::uint32_t i = 0; i < paths.size(); ++i)
+            if (!paths[i].closed)
+                for (const bool at_end : {false, true})
+                    ends.push_back({point_of(i, at_end).at, i, at_end});
+        std::ranges::sort(ends, {}, &End::order);
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (const std::optional<End> other = only_one_beside(ends, i);
+                other && go_on(ends[i], *other))
+                partners_[ends[i].number()] = other->number();
+        for (std::size_t i = 0; i < partners_.size(); ++i)
+            if (partners_[i] != none && partners_[partners_[i]] != i) partners_[i] = none;
+    }
+
+    void join() {
+        if (std::ranges::all_of(partners_, [](std::size_t one) { return one == none; })) return;
+        std::vector<VectorPath> joined;
+        for (const bool of_loops : {false, true})
+            for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+                if (is_taken_[i]) continue;
+                const bool from_start = partners_[2 * std::size_t{i}] == none;
+                if (from_start || partners_[2 * std::size_t{i} + 1] == none || of_loops)
+                    joined.push_back(take(i, !from_start && !of_loops));
+            }
+        paths_ = std::move(joined);
+    }
+
+  private:
+    static constexpr std::size_t none = ~std::size_t{0};
+
+    const VectorPoint& point_of(std::uint32_t path, bool at_end) const {
+        return at_end ? paths_[path].points.back() : paths_[path].points.front();
+    }
+
+    /// The end that is where another one is, if it is the only one.
+    std::optional<End> only_one_beside(const std::vector<End>& ends, std::size_t i) const {
+        std::optional<End> found;
+        const auto ask = [&](const End& other) {
+            if (glm::distance(other.at, ends[i].at) > same_point ||
+                paths_[other.path].visible != paths_[ends[i].path].visible)
+                return true;
+            const bool is_first = !found;
+            found = other;
+            return is_first;
+        };
+        for (std::size_t k = i; k-- > 0 && ends[i].at.x - ends[k].at.x <= same_point;)
+            if (!ask(ends[k])) return std::nullopt;
+        for (std::size_t k = i + 1; k < ends.size() && ends[k].at.x - ends[i].at.x <= same_point;
+             ++k)
+            if (!ask(ends[k])) return std::nullopt;
+        return found;
+    }
+
+    bool go_on(const End& a, const End& b) const {
+        const VectorPath &one = paths_[a.path], &other = paths_[b.path];
+        if (!is_on_surface(a) || !is_on_surface(b) || one.outline != other.outline ||
+            one.pen != other.pen)
+            return false;
+        const glm::dvec2 out = way_out(a), in = -way_out(b);
+        const double turn = std::atan2(out.x * in.y - out.y * in.x, glm::dot(out, in));
+        return std::abs(turn) < sharpest;
+    }
+
+    bool is_on_surface(const End& end) const {
+        const VectorPath& path = paths_[end.path];
+        if (path.kind != LineKind::silhouette || path.pieces.empty()) return false;
+        return (end.at_end ? path.pieces.back() : path.pieces.front()).face != VectorPiece::none;
+    }
+
+    glm::dvec2 way_out(const End& end) const {
+        const std::vector<VectorPoint>& points = paths_[end.path].points;
+        return end.at_end ? points.back().at - points[points.size() - 2].at
+                          : points[0].at - points[1].at;
+    }
+
+    /// A path with all that goes on behind it.
+    VectorPath take(std::uint32_t first, bool reversed) {
+        VectorPath path = part(first, reversed);
+        std::size_t onwards = partners_[2 * std::size_t{first} + (reversed ? 0 : 1)];
+        while (onwards != none && !is_taken_[onwards / 2]) {
+            const auto next = static_cast<std::uint32_t>(onwards / 2);
+            const bool backwards = onwards % 2 == 1;
+            append_part(path, part(next, backwards));
+            onwards = partners_[2 * std::size_t{next} + (backwards ? 0 : 1)];
+        }
+        if (onwards == 2 * std::size_t{first} + (reversed ? 1 : 0)) {
+            path.points.back().at = path.points.front().at;
+            path.closed = true;
+        }
+        return path;
+    }
+
+    VectorPath part(std::uint32_t number, bool reversed) {
+        is_taken_[number] = true;
+        VectorPath path = std::move(paths_[number]);
+        if (reversed) reverse(path);
+        return path;
+    }
+
+    static void append_part(VectorPath& path, VectorPath next) {
+        const double length = length_of(path), next_length = length_of(next);
+        path.alpha =
+            static_cast<float>((double{path.alpha} * length + double{next.alpha} * next_length) /
+                               (length + next_length));
+        double arc = path.points.back().arc;
+        for (std::size_t i = 1; i < next.points.size(); ++i) {
+            arc += glm::distance(next.points[i - 1].at, next.points[i].at);
+            next.points[i].arc = arc;
+        }
+        append(path, next);
+    }
+
+    std::vector<VectorPath>& paths_;
+    std::vector<std::size_t> partners_; ///< per end of a path, the end in which it goes on, or none
+    std::vector<bool> is_taken_;        ///< per path
+};
+
+} // namespace
+
+void join_smoothly(std::vector<VectorPath>& paths) {
+    Joints{paths}.join();
+}
+
+} // namespace lineatlas
