@@ -39,9 +39,10 @@ double radius_of(const toml::node& node) {
     return radius;
 }
 
+/// An empty one is that of a sheet without the key, as in SheetOptions.
 std::string scale_of(const toml::node& node) {
     std::string scale = text_of(node);
-    parse_scale("the scale", scale);
+    if (!scale.empty()) parse_scale("the scale", scale);
     return scale;
 }
 

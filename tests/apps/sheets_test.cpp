@@ -364,6 +364,20 @@ TEST_F(Sheets, AFilePlacesViews) {
                            "150.000 120.000 50.000\n(1:4)\nB (1:1)\nCube\n");
 }
 
+TEST_F(Sheets, AnEmptyScaleOfAFileIsNone) {
+    const auto drawn_by = [&](const std::string& scale, const std::string& out) {
+        write("sheet.toml", scale + "[[views]]\nview = \"front\"\n" + scale +
+                                "[[details]]\nview = \"front\"\ncenter = [50, 50, 0]\n"
+                                "radius = 10\n" +
+                                scale);
+        const Result made = run("draw " + path("cube.obj") + " --up y --compute cpp --views " +
+                                path("sheet.toml") + " -o " + path(out));
+        EXPECT_EQ(made.exit_code, 0) << made.output;
+        return read(path(out));
+    };
+    EXPECT_EQ(drawn_by("scale = \"\"\n", "empty.svg"), drawn_by("", "none.svg"));
+}
+
 TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
     const auto refused = [&](const std::string& text, const std::string& words) {
         write("bad.toml", text);
@@ -381,8 +395,6 @@ TEST_F(Sheets, WhatIsWrongWithASheetsFileIsSaidInALine) {
     refused("[[views]]\nview = \"middle\"\n", "line 2: view: there is no view \"middle\"");
     refused("page = \"a3\"\nscale = \"big\"\n",
             "bad.toml\" line 2: scale: the scale \"big\" must be two numbers");
-    refused("[[views]]\nview = \"front\"\nscale = \"\"\n",
-            "line 3: scale: the scale \"\" must be two numbers");
     refused("[[details]]\nradius = -1\n", "line 2: radius: it must be a number above 0");
     refused("[[details]]\nradius = 1\nscale = \"2\"\n",
             "line 3: scale: the scale \"2\" must be two numbers");
