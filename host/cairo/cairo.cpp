@@ -114,9 +114,10 @@ void draw(cairo_t* context, const Strokes& strokes) {
     cairo_set_line_join(context, join_of(strokes.join));
     cairo_set_miter_limit(context, strokes.mitre_limit);
     cairo_set_line_cap(context, strokes.round_caps ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-    const auto dashes = static_cast<int>(strokes.dashes.size());
     for (const Way& way : strokes.ways) {
-        cairo_set_dash(context, strokes.dashes.data(), dashes, way.dash_offset);
+        std::vector<double> dashes = way.dash_scale > 0 ? strokes.dashes : std::vector<double>{};
+        for (double& length : dashes) length *= way.dash_scale;
+        cairo_set_dash(context, dashes.data(), static_cast<int>(dashes.size()), 0);
         draw(context, way);
     }
 }

@@ -16,7 +16,7 @@ constexpr std::array names{
     PenName{"pencil", "graphite on paper grain"},
     PenName{"charcoal", "a soft stick that catches on the paper's tooth"},
     PenName{"brush", "bristles that leave streaks as they run dry"},
-    PenName{"dashed", "dashes of six widths, gaps of three"},
+    PenName{"dashed", "dashes of twelve widths, gaps of three (ISO 128-2)"},
     PenName{"dotted", "round dots, a width and a half between them"},
     PenName{"chain", "dashes of 24 widths with dots between, gaps of three (ISO 128-2)"},
 };
@@ -146,7 +146,9 @@ float brush(float x, float y, float width) {
     return (0.5F + inside) * std::lerp(1.0F, wet, std::clamp(width / 6, 0.3F, 1.0F));
 }
 
-/// Paints one dash in the middle of the period, and half a dot at either end if the mark has dots.
+/// Paints one dash in the middle of the period. If the mark has dots, it paints a dot there, and
+/// half a dash at either end: the middle of a path lies between two periods, and where centre lines
+/// cross there is a dash (ISO 128-2).
 PenMark paint_dashes(const DashLengths& dashes, float width) {
     const float unit = std::max(1.0F, width);
     const float period = dashes.dash + dashes.gap + (dashes.dot > 0 ? dashes.dot + dashes.gap : 0);
@@ -156,9 +158,10 @@ PenMark paint_dashes(const DashLengths& dashes, float width) {
         static_cast<int>(period / unit * static_cast<float>(unit_columns) + rounding);
     return paint(columns, period, width, [&](float x, float y) {
         const float from_middle = std::abs(x - 0.5F * period);
-        const float in_dash = 0.5F * dashes.dash - from_middle;
-        const float in_dot = from_middle - 0.5F * (period - dashes.dot); // half a dot at either end
-        if (!dashes.round) return 0.5F + (dashes.dot > 0 ? std::max(in_dash, in_dot) : in_dash);
+        if (dashes.dot > 0)
+            return 0.5F + std::max(0.5F * dashes.dot - from_middle,
+                                   from_middle - 0.5F * (period - dashes.dash));
+        if (!dashes.round) return 0.5F + 0.5F * dashes.dash - from_middle;
         return 0.5F + 0.5F * unit - std::hypot(std::max(0.0F, from_middle - 0.5F * dashes.dash), y);
     });
 }
@@ -171,7 +174,7 @@ std::span<const PenName> pen_names() {
 
 std::optional<DashLengths> dash_lengths(std::string_view name, float width) {
     const float unit = std::max(1.0F, width);
-    if (name == "dashed") return DashLengths{.dash = 6 * unit, .gap = 3 * unit, .round = false};
+    if (name == "dashed") return DashLengths{.dash = 12 * unit, .gap = 3 * unit, .round = false};
     if (name == "dotted") return DashLengths{.dash = 0, .gap = 2.5F * unit, .round = true};
     if (name == "chain")
         return DashLengths{.dash = 24 * unit, .gap = 3 * unit, .round = false, .dot = 0.5F * unit};

@@ -87,7 +87,8 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcCho
                          .ways = {}};
     for (const VectorPath& path : group.paths) {
         strokes.ways.push_back(way_of(outline_of(path, sheet, arcs)));
-        strokes.ways.back().dash_offset = dash_offset(stroke, sheet.scale * length_of(path));
+        strokes.ways.back().dash_scale =
+            dash_scale(stroke, sheet.scale * length_of(path), path.closed);
     }
     return strokes;
 }

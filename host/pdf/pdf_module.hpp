@@ -28,7 +28,7 @@ struct Way {
     glm::dvec2 start{0};
     std::vector<Step> steps;
     bool closed = false;
-    double dash_offset = 0; ///< length of the pattern of dashes that is left out at the start
+    double dash_scale = 1; ///< of Strokes::dashes; 0: the way is solid
 };
 
 enum class Join { mitre, round, bevel };

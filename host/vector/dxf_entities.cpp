@@ -7,6 +7,8 @@
 
 #include "dxf_layers.hpp"
 #include "dxf_tables.hpp"
+#include "paths.hpp"
+#include "pen_stroke.hpp"
 #include "tags.hpp"
 
 namespace lineatlas {
@@ -45,8 +47,10 @@ std::string entities_text(const VectorPath& path) {
 void DxfEntities::write(const LineGroup& group, const Sheet& sheet, const ArcChoice& arcs,
                         const DxfLook& look) {
     look_ = look;
+    const PenStroke stroke = pen_stroke(group.pen, sheet);
     for (const VectorPath& path : group.paths) {
         entities_ = look.tags ? entities_text(path) : std::string{};
+        look_.dash_scale = dash_scale(stroke, sheet.scale * length_of(path), path.closed);
         write(outline_of(path, sheet, arcs));
     }
 }
@@ -138,9 +142,11 @@ void DxfEntities::begin(std::string_view type, std::string_view subclass,
     text_.begin(type, block_);
     text_.add(100, "AcDbEntity");
     text_.add(8, look_.layer);
+    if (look_.dash_scale == 0) text_.add(6, "CONTINUOUS");
     if (color) text_.add(62, nearest_index(*color));
     if (color) text_.add(420, whole_color(*color));
     if (look_.line_weight != 0) text_.add(370, look_.line_weight);
+    if (look_.dash_scale != 0 && look_.dash_scale != 1) text_.add(48, look_.dash_scale);
     text_.add(100, subclass);
 }
 

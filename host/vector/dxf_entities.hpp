@@ -14,8 +14,9 @@ namespace lineatlas {
 /// The layer and the look of entities.
 struct DxfLook {
     std::string_view layer{};
-    bool tags = false;   ///< what the file calls edges and faces, as extended data
-    int line_weight = 0; ///< hundredths of a millimetre; 0: that of the layer
+    bool tags = false;     ///< what the file calls edges and faces, as extended data
+    int line_weight = 0;   ///< hundredths of a millimetre; 0: that of the layer
+    double dash_scale = 1; ///< of the layer's linetype; 0: continuous
 };
 
 /// Outlines as entities of one block. y goes up in DXF, so arcs turn the other way.

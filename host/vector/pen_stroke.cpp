@@ -1,5 +1,6 @@
 #include "pen_stroke.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -26,11 +27,20 @@ PenStroke pen_stroke(const Pen& pen, const Sheet& sheet) {
     return stroke;
 }
 
-double dash_offset(const PenStroke& stroke, double length) {
-    if (stroke.dashes.size() <= 2) return 0;
+double dash_scale(const PenStroke& stroke, double length, bool closed) {
+    if (stroke.dashes.empty() || stroke.round) return 1;
+    const bool has_dots = stroke.dashes.size() > 2;
+    const double least = has_dots ? 0.5 : 0.25; // with less, dots or gaps are lost
     const double period = std::accumulate(stroke.dashes.begin(), stroke.dashes.end(), 0.0);
-    const double offset = std::fmod(0.5 * (stroke.dashes.front() - length), period);
-    return offset < 0 ? offset + period : offset;
+    const double end = closed ? 0 : stroke.dashes.front(); // the dash behind the last pattern
+    // Patterns: with an even number a dash is in the middle.
+    const double step = has_dots && !closed ? 2 : 1;
+    const double below = step * std::floor(std::max(0.0, length - end) / (step * period));
+    // Of the numbers below and above the one by which the scale is nearer to 1.
+    const double wide = length / (below * period + end);
+    const double narrow = length / ((below + step) * period + end);
+    const double scale = below > 0 && wide * narrow < 1 ? wide : narrow;
+    return scale < least ? 0 : scale;
 }
 
 } // namespace lineatlas

@@ -21,8 +21,9 @@ struct PenStroke {
 
 PenStroke pen_stroke(const Pen& pen, const Sheet& sheet);
 
-/// The length of the pattern that a line of dashes and dots leaves out at its start, so that the
-/// middle of the line, where others cross it, lies in a dash (ISO 128-2). 0 for dashes alone.
-double dash_offset(const PenStroke& stroke, double length);
+/// The scale of a line's dashes and gaps, with which the line begins and ends with a dash. A line
+/// with dots has a dash in its middle, too, where others cross it (ISO 128-2). A closed line has
+/// whole patterns. 0: the line is too short for that, and has no gaps. 1 for rows of dots.
+double dash_scale(const PenStroke& stroke, double length, bool closed);
 
 } // namespace lineatlas

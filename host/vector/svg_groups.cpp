@@ -29,6 +29,17 @@ const char* join_text(Join join) {
     return "miter";
 }
 
+/// The value of `stroke-dasharray`.
+std::string dashes_text(const PenStroke& stroke, double scale, int digits) {
+    if (scale == 0) return "none";
+    std::string text;
+    for (const double each : stroke.dashes) {
+        if (!text.empty()) text += ' ';
+        text += number_text(scale * each, digits + 1);
+    }
+    return text;
+}
+
 void set_stroke(XmlElement& group, const Pen& pen, const Sheet& sheet) {
     const PenStroke stroke = pen_stroke(pen, sheet);
     const auto length = [&](double units) { return number_text(units, sheet.digits + 1); };
@@ -43,13 +54,7 @@ void set_stroke(XmlElement& group, const Pen& pen, const Sheet& sheet) {
         group.set("stroke-miterlimit", number_text(stroke.mitre_limit, opacity_digits));
     }
     group.set("stroke-linecap", stroke.round ? "round" : "butt");
-    if (stroke.dashes.empty()) return;
-    std::string dashes;
-    for (const double each : stroke.dashes) {
-        if (!dashes.empty()) dashes += ' ';
-        dashes += length(each);
-    }
-    group.set("stroke-dasharray", dashes);
+    if (!stroke.dashes.empty()) group.set("stroke-dasharray", dashes_text(stroke, 1, sheet.digits));
 }
 
 XmlElement& add_group(XmlElement& parent, const LineGroup& lines, const Sheet& sheet,
@@ -119,8 +124,9 @@ void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& 
             if (data.empty()) continue;
             XmlElement& element = node.add("path");
             element.set("d", data);
-            if (const double offset = dash_offset(stroke, sheet.scale * length_of(path)))
-                element.set("stroke-dashoffset", number_text(offset, sheet.digits + 1));
+            const double scale = dash_scale(stroke, sheet.scale * length_of(path), path.closed);
+            if (scale != 1)
+                element.set("stroke-dasharray", dashes_text(stroke, scale, sheet.digits));
             if (how.tags) add_text(element, "desc", tags_text(drawing, path));
         }
     }

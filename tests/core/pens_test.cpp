@@ -140,9 +140,27 @@ TEST(Pens, MarksRepeatWithoutASeam) {
     EXPECT_LT(far, 12);
 }
 
+/// The middle of a path lies where the mark begins.
+TEST(Pens, AChainHasADashInTheMiddleOfAPath) {
+    const PenMark mark = make_pen("chain", 4);
+    const double columns_per_width = mark.size.x / 30.5;
+    for (int column = 0; column < mark.size.x; ++column) {
+        const double from_end =
+            (std::min(column, mark.size.x - 1 - column) + 0.5) / columns_per_width;
+        const int ink = at(mark, mark.size.y / 2, column);
+        if (from_end < 11) { // half a dash of 24 widths
+            EXPECT_GT(ink, 250) << column;
+        }
+        if (from_end > 13 && from_end < 14) {
+            EXPECT_LT(ink, 5) << column;
+        }
+    }
+    EXPECT_GT(at(mark, mark.size.y / 2, mark.size.x / 2), 100); // the dot
+}
+
 TEST(Pens, DashesAndDotsGrowWithTheWidth) {
     for (const auto& [name, length, share] :
-         {std::tuple{"dashed", 9.0F, 6.0 / 9}, std::tuple{"dotted", 2.5F, 0.7854 / 2.5}}) {
+         {std::tuple{"dashed", 15.0F, 12.0 / 15}, std::tuple{"dotted", 2.5F, 0.7854 / 2.5}}) {
         for (const float width : widths) {
             const PenMark mark = make_pen(name, width);
             EXPECT_FLOAT_EQ(mark.repeat_length, length * std::max(1.0F, width));

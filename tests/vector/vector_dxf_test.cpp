@@ -106,8 +106,8 @@ TEST(Dxf, LayersHaveThePensOfTheirLines) {
     const auto types = objects(to_dxf(example(), on_page), "TABLES", "LTYPE");
     ASSERT_EQ(types.size(), 4U);
     EXPECT_EQ(value(types[3], 2), "DASHED");
-    EXPECT_NEAR(number(types[3], 40), 4.5, 1e-9); // 6 and 3 pixels
-    EXPECT_NEAR(number(types[3], 49), 3, 1e-9);
+    EXPECT_NEAR(number(types[3], 40), 7.5, 1e-9); // 12 and 3 pixels
+    EXPECT_NEAR(number(types[3], 49), 6, 1e-9);
 }
 
 TEST(Dxf, ChainsAreDashesAndDots) {
@@ -125,6 +125,22 @@ TEST(Dxf, ChainsAreDashesAndDots) {
         if (group.code == 49) lengths.push_back(std::stod(group.value));
     EXPECT_EQ(lengths, (std::vector<double>{24, -3, 0.5, -3}));
     EXPECT_EQ(value(objects(dxf, "TABLES", "LAYER").back(), 6), "CENTER2");
+}
+
+TEST(Dxf, ChainsBeginAndEndWithADash) {
+    VectorDrawing drawing{.size = {400, 200}, .style = {}, .groups = {}, .paths = {}};
+    drawing.style.pen.mark = "chain";
+    drawing.pens = {drawing.style.pen};       // 1 mm
+    for (const double length : {130.0, 60.0}) // half millimetres
+        drawing.paths.push_back(
+            path_through(LineKind::centre, true, {{20, length}, {20 + length, length}}));
+    const auto lines = objects(to_dxf(drawing, on_page), "ENTITIES", "LINE");
+    ASSERT_EQ(lines.size(), 2U);
+    const double scale = number(lines[0], 48);
+    EXPECT_NEAR(scale * (2 * 30.5 + 24), number(lines[0], 11) - number(lines[0], 10), 1e-3);
+    EXPECT_EQ(value(lines[0], 6), "");
+    EXPECT_EQ(value(lines[1], 6), "CONTINUOUS"); // a dot would be lost
+    EXPECT_EQ(value(lines[1], 48), "");
 }
 
 TEST(Dxf, MillimetresFromTheLowerLeftCorner) {

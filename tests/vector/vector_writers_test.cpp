@@ -1,7 +1,12 @@
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 #include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -225,7 +230,7 @@ TEST(Svg, HasAGroupPerKindAndHiddenLinesUnderVisibleOnes) {
     EXPECT_STREQ(hidden.attribute("inkscape:groupmode").value(), "layer");
     EXPECT_STREQ(hidden.attribute("inkscape:label").value(), "crease (hidden)");
     EXPECT_STREQ(hidden.attribute("stroke").value(), "#737373");
-    EXPECT_STREQ(hidden.attribute("stroke-dasharray").value(), "6 3");
+    EXPECT_STREQ(hidden.attribute("stroke-dasharray").value(), "12 3");
     EXPECT_STREQ(hidden.child("path").attribute("d").value(), "m10 10h40");
     const pugi::xml_node visible = hidden.next_sibling("g");
     EXPECT_STREQ(visible.attribute("stroke-width").value(), "2");
@@ -271,6 +276,46 @@ TEST(Svg, LengthsAreThoseOfThePage) {
     EXPECT_FALSE(visible.attribute("stroke-miterlimit"));
     const pugi::xml_document inches = parsed(to_svg(drawing, {.units = Unit::in}));
     EXPECT_STREQ(inches.child("svg").attribute("width").value(), "1.0417in");
+}
+
+/// The lengths by which a straight path of a mark is dashed, if the path has its own.
+std::string own_dashes(const char* mark, double length) {
+    VectorDrawing drawing{.size = {600, 100}, .style = {}, .groups = {}, .paths = {}};
+    drawing.style.pen.mark = mark;
+    drawing.style.pen.width = 1;
+    drawing.pens = {drawing.style.pen};
+    drawing.paths = {path_through(LineKind::centre, true, {{10, 50}, {10 + length, 50}})};
+    const pugi::xml_document svg = parsed(to_svg(drawing));
+    const pugi::xml_node path = svg.child("svg").child("g").child("path");
+    EXPECT_FALSE(path.attribute("stroke-dashoffset"));
+    return path.attribute("stroke-dasharray").value();
+}
+
+// A dash is 12 widths long, that of a chain 24.
+TEST(Svg, DashedLinesBeginAndEndWithADash) {
+    for (const double length : {43.0, 60.0, 85.5, 110.0, 120.0, 148.0, 500.0}) {
+        for (const char* mark : {"dashed", "chain"}) {
+            SCOPED_TRACE(std::string{mark} + " " + std::to_string(length));
+            const bool is_chain = std::string{mark} == "chain";
+            std::istringstream text{own_dashes(mark, length)};
+            const std::vector<double> dashes{std::istream_iterator<double>{text}, {}};
+            ASSERT_EQ(dashes.size(), is_chain ? 4U : 2U);
+            const double scale = dashes[0] / (is_chain ? 24 : 12);
+            EXPECT_TRUE(scale > 0.5 && scale < 1.4) << scale;
+            const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
+            const double periods = (length - dashes[0]) / period;
+            const double step = is_chain ? 2 : 1; // an even number: a dash in the middle
+            EXPECT_NEAR(periods, step * std::round(periods / step), 0.02);
+            EXPECT_GT(periods, 0.9 * step);
+        }
+    }
+}
+
+TEST(Svg, LinesTooShortForGapsAreSolid) {
+    EXPECT_EQ(own_dashes("chain", 42), "none");
+    EXPECT_NE(own_dashes("dashed", 7), "none");
+    EXPECT_EQ(own_dashes("dashed", 6.5), "none");
+    EXPECT_EQ(own_dashes("dotted", 3), "") << "that of the group";
 }
 
 TEST(Svg, DashesAreAsLongAsThePensAre) {
