@@ -99,7 +99,8 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
             making.lines.silhouettes = parse_silhouettes("--silhouettes", *silhouettes);
         making.lines.smooth_edges = described(drawing.description, "--smooth-edges") == "true";
         making.sections = {all_described(drawing.description, "--section"),
-                           described(drawing.description, "--hatching").value_or("")};
+                           described(drawing.description, "--hatching").value_or(""),
+                           all_described(drawing.description, "--uncut")};
         return making;
     });
 }

@@ -74,8 +74,8 @@ struct CutModel {
 
     CutModel(const DrawArguments& arguments, const Subject& subject, const SectionPlane& plane,
              const VisibilityOptions& wanted, const Style& style)
-        : name(plane.name),
-          section(cut_mesh(subject.mesh, {{plane}}, arguments.sections.hatching())),
+        : name(plane.name), section(cut_mesh(subject.mesh, {{plane}}, arguments.sections.hatching(),
+                                             arguments.sections.uncut())),
           lines(extract_lines(section.mesh, subject.line_options)),
           finder(arguments.device, lines, wanted, style) {
         print_notes(section.notes);

@@ -33,6 +33,11 @@ void SectionOptions::declare(CLI::App& app, const std::string& group) {
                    "Lines on faces of cuts: SPACING or SPACING,DEGREES in the model's unit, or "
                    "none; by default a fortieth of the cut apart and at 45 degrees")
         ->group(group);
+    app.add_option("--uncut", uncut_,
+                   "Leave parts of this name whole (and the parts inside them), as bolts, shafts "
+                   "and ribs are drawn; * and ? stand for any letters; may be given several times")
+        ->allow_extra_args(false)
+        ->group(group);
 }
 
 void SectionOptions::check(bool sheet_cuts) const {
@@ -40,9 +45,11 @@ void SectionOptions::check(bool sheet_cuts) const {
     if (planes_.size() > most_sections)
         throw UsageError(fmt::format("--section may be given {} times at most, not {}",
                                      most_sections, planes_.size()));
-    if (planes_.empty() && !sheet_cuts && app_->count("--hatching") > 0)
-        throw UsageError("--hatching needs --section, or a section of --views; add one, or "
-                         "leave out --hatching");
+    for (const char* option : {"--hatching", "--uncut"})
+        if (planes_.empty() && !sheet_cuts && app_->count(option) > 0)
+            throw UsageError(fmt::format("{0} needs --section, or a section of --views; add one, "
+                                         "or leave out {0}",
+                                         option));
     hatching();
 }
 
@@ -83,7 +90,7 @@ std::vector<SectionPlane> SectionOptions::planes(const Mesh& mesh, glm::dvec3 or
 }
 
 Section SectionOptions::cut(const Mesh& mesh, glm::dvec3 origin, const View& view) const {
-    return cut_mesh(mesh, planes(mesh, origin, view), hatching());
+    return cut_mesh(mesh, planes(mesh, origin, view), hatching(), uncut_);
 }
 
 std::vector<std::string> SectionOptions::with_sides(const Mesh& mesh, glm::dvec3 origin,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -18,10 +19,15 @@ namespace {
 class PlaneCutter {
   public:
     PlaneCutter(const Mesh& mesh, const std::vector<std::uint32_t>& parts, const PlaneFrame& plane,
-                double rounding)
-        : mesh_(mesh), parts_(parts), plane_(plane),
+                double rounding, const std::vector<bool>& uncut)
+        : mesh_(mesh), parts_(parts), plane_(plane), uncut_(uncut),
           places_(place_numbers(mesh.positions, rounding)),
-          on_plane_(cut_.mesh.positions, rounding) {
+          is_uncut_place_(mesh.positions.size(), false), on_plane_(cut_.mesh.positions, rounding) {
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            if (!uncut[parts[i]]) continue;
+            for (int k = 0; k < 3; ++k) is_uncut_place_[places_[mesh.triangles[i][k]]] = true;
+            if (!mesh.triangle_object.empty()) uncut_objects_.insert(mesh.triangle_object[i]);
+        }
         distances_.reserve(mesh.positions.size());
         for (const std::uint32_t place : places_) {
             const double distance = plane.distance(mesh.positions[place]);
@@ -42,7 +48,7 @@ class PlaneCutter {
             const int count = is_beyond(corners.x) + is_beyond(corners.y) + is_beyond(corners.z);
             any_below |= count < 3;
             any_above |= count > 0;
-            if (count == 0) {
+            if (count == 0 || uncut_[parts_[i]]) {
                 keep({corner(i, 0), corner(i, 1), corner(i, 2)}, i);
             } else if (count < 3) {
                 clip(corners, i);
@@ -174,6 +180,8 @@ class PlaneCutter {
 
     void clip_polyline(std::size_t index) {
         const std::vector<std::uint32_t>& polyline = mesh_.polylines[index];
+        const bool is_uncut =
+            !mesh_.polyline_object.empty() && uncut_objects_.contains(mesh_.polyline_object[index]);
         std::vector<std::uint32_t> part;
         const auto finish = [&] {
             if (part.size() > 1) {
@@ -187,6 +195,10 @@ class PlaneCutter {
         };
         for (std::size_t i = 0; i < polyline.size(); ++i) {
             const std::uint32_t at = polyline[i];
+            if (is_uncut) {
+                part.push_back(at);
+                continue;
+            }
             if (i > 0 && is_beyond(at) != is_beyond(polyline[i - 1])) {
                 const std::uint32_t before = polyline[i - 1];
                 part.push_back(is_beyond(at) ? cut_point(before, at) : cut_point(at, before));
@@ -200,6 +212,10 @@ class PlaneCutter {
     void clip_known_edge(KnownEdge edge) {
         edge.from = places_[edge.from];
         edge.to = places_[edge.to];
+        if (is_uncut_place_[edge.from] && is_uncut_place_[edge.to]) {
+            cut_.mesh.known_edges.push_back(edge);
+            return;
+        }
         if (is_beyond(edge.from) && is_beyond(edge.to)) return;
         if (is_beyond(edge.to)) edge.to = cut_point(edge.from, edge.to);
         if (is_beyond(edge.from)) edge.from = cut_point(edge.to, edge.from);
@@ -209,7 +225,10 @@ class PlaneCutter {
     const Mesh& mesh_;
     const std::vector<std::uint32_t>& parts_;
     const PlaneFrame& plane_;
+    const std::vector<bool>& uncut_;
     std::vector<std::uint32_t> places_;
+    std::vector<bool> is_uncut_place_;      ///< a corner of an uncut part
+    std::set<std::uint32_t> uncut_objects_; ///< Mesh::triangle_object of these parts
     std::vector<double> distances_;
     std::unordered_map<std::uint64_t, std::uint32_t> points_;
     std::map<TriangleKey, std::uint32_t> step_of_;
@@ -220,8 +239,8 @@ class PlaneCutter {
 } // namespace
 
 PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
-                      const PlaneFrame& plane, double rounding) {
-    return PlaneCutter{mesh, part_of_triangle, plane, rounding}.cut();
+                      const PlaneFrame& plane, double rounding, const std::vector<bool>& uncut) {
+    return PlaneCutter{mesh, part_of_triangle, plane, rounding, uncut}.cut();
 }
 
 } // namespace lineatlas

@@ -28,8 +28,8 @@ struct PlaneCut {
 /// the plane than `rounding` lie on it and count as beyond. Corners nearer to each other than
 /// `rounding` are at one place, and all triangles use one position of it. So the cut of a closed
 /// mesh is closed: each edge is either cut for both of its triangles or for neither. Triangles that
-/// stand twice are cut once.
+/// stand twice are cut once. `uncut`: per part whether it stays whole.
 PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
-                      const PlaneFrame& plane, double rounding);
+                      const PlaneFrame& plane, double rounding, const std::vector<bool>& uncut);
 
 } // namespace lineatlas

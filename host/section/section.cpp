@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "base/name_pattern.hpp"
 #include "cut_curves.hpp"
 #include "cut_faces.hpp"
 #include "hatch_lines.hpp"
@@ -71,16 +72,17 @@ std::string name_of(const SectionPlane& plane) {
 
 class Sectioner {
   public:
-    Sectioner(const Mesh& mesh, const Hatching& hatching)
+    Sectioner(const Mesh& mesh, const Hatching& hatching, std::span<const std::string> uncut)
         : hatching_(hatching), bounds_(bounds_of(mesh)), rounding_(rounding * reach_of(bounds_)),
           parts_(find_parts(mesh, place_numbers(mesh.positions, rounding_))),
-          part_of_triangle_(parts_.of_triangle) {
+          part_of_triangle_(parts_.of_triangle), uncut_(parts_.name.size(), false) {
+        for (const std::string& name : uncut) leave_whole(name);
         section_.mesh = mesh;
     }
 
     void cut(const SectionPlane& plane) {
         const PlaneFrame frame{plane.point, plane.normal};
-        PlaneCut cut = cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding_);
+        PlaneCut cut = cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding_, uncut_);
         if (cut.misses) refuse(plane, frame);
         follow_curves(cut, frame);
         const CutFaces faces = find_faces(cut, frame);
@@ -98,6 +100,18 @@ class Sectioner {
     Section take() { return std::move(section_); }
 
   private:
+    void leave_whole(const std::string& name) {
+        bool is_known = false;
+        for (std::size_t part = 0; part < uncut_.size(); ++part) {
+            if (!names_part(name, parts_.name[part])) continue;
+            uncut_[part] = is_known = true;
+        }
+        if (!is_known)
+            throw UsageError(fmt::format("sections: no part is called \"{}\"; `lineatlas info` "
+                                         "lists the parts",
+                                         name));
+    }
+
     [[noreturn]] void refuse(const SectionPlane& plane, const PlaneFrame& frame) const {
         double low = INFINITY, high = -INFINITY;
         for (int corner = 0; corner < 8; ++corner) {
@@ -191,6 +205,7 @@ class Sectioner {
     double rounding_; ///< in the model's unit
     Parts parts_;
     std::vector<std::uint32_t> part_of_triangle_;
+    std::vector<bool> uncut_;                      ///< per part whether it stays whole
     std::map<std::uint32_t, std::size_t> numbers_; ///< numbers of looks, in the order in which they
                                                    ///< are met
     Mesh* mesh_ = nullptr;                         ///< the mesh that is being closed
@@ -199,9 +214,10 @@ class Sectioner {
 
 } // namespace
 
-Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes, const Hatching& hatching) {
+Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes, const Hatching& hatching,
+                 std::span<const std::string> uncut) {
     check(planes, hatching);
-    Sectioner sectioner{mesh, hatching};
+    Sectioner sectioner{mesh, hatching, uncut};
     for (const SectionPlane& plane : planes) sectioner.cut(plane);
     return sectioner.take();
 }

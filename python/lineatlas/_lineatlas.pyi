@@ -80,6 +80,7 @@ class Mesh:
         spacing: float = 0.0,
         angle: float = 45.0,
         hatching: bool = True,
+        uncut: list[str] = [],
     ) -> Mesh: ...
     def exploded(
         self,

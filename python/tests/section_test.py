@@ -24,6 +24,23 @@ class Sections(unittest.TestCase):
         self.assertIn(lineatlas.LineKind.section, kinds)
         self.assertIn(lineatlas.LineKind.hatching, kinds)
 
+    def test_uncut_parts(self) -> None:
+        one = cube()
+        mesh = lineatlas.Mesh(np.concatenate([one.positions, one.positions + (10, 0, 0)]),
+                              np.concatenate([one.triangles, one.triangles + len(one.positions)]),
+                              triangle_group=np.repeat([0, 1], len(one.triangles)),
+                              groups=[lineatlas.Group("left"), lineatlas.Group("Bolt 1")])
+        middle = float(one.positions[:, 1].min() + one.positions[:, 1].max()) / 2
+        rest = mesh.cut("y=50%", uncut=["Bolt*"])
+        used = rest.positions[rest.triangles].reshape(-1, 3)
+        right = used[:, 0] > float(one.positions[:, 0].max()) + 1
+        self.assertAlmostEqual(float(used[~right, 1].max()), middle, 5)
+        self.assertAlmostEqual(float(used[right, 1].max()), float(one.positions[:, 1].max()), 5)
+        with self.assertRaises(lineatlas.UsageError):
+            mesh.cut("y=50%", uncut=["Nut"])
+        with self.assertRaises(TypeError):
+            mesh.cut("y=50%", uncut="Nut")
+
     def test_several_planes_and_what_is_wrong(self) -> None:
         mesh = cube()
         self.assertEqual(mesh.cut(["x=50%", "y=50%"]).notes, [])

@@ -136,6 +136,20 @@ TEST_F(SectionDrawings, PartsAreHatchedAgainstEachOther) {
     EXPECT_GT(down, 8);
 }
 
+TEST_F(SectionDrawings, UncutPartsHaveNoHatching) {
+    const std::string options = "--view front --section z=0 --scale 1:1 --page a4 --hatching 4";
+    const std::string svg = drawn("sleeve.obj", options + " --uncut \"r?d\"");
+    for (const auto& [x, y] : steps_of(group(svg, "hatching"))) EXPECT_LT(x * y, 0);
+    EXPECT_NE(group(svg, "silhouette"), "") << "the rod's sides, before the cut";
+    const Result checked = run("check " + path("x.svg") + " " + path("sleeve.obj"));
+    EXPECT_EQ(checked.exit_code, 0) << checked.output;
+    EXPECT_TRUE(std::regex_search(checked.output, std::regex{"missed within 0.5 px +0[.]0"}))
+        << checked.output;
+    // On a sheet, too.
+    drawn("sleeve.obj", "--views top,section:z=0 --hatching 4 --uncut rod");
+    EXPECT_NE(read(path("x.svg")).find("section_A-hatching"), std::string::npos);
+}
+
 TEST_F(SectionDrawings, TheSideOfTheEyeIsGone) {
     // Views from both sides show the cut.
     for (const char* view : {"front", "back"}) {
@@ -172,6 +186,8 @@ TEST_F(SectionDrawings, WhatIsWrongIsSaidInALine) {
     expect_refused(draw + " --section y=1 --hatching thick", 2, "\"thick\"");
     expect_refused(draw + " --section y=1 --hatching 1e-9", 2, "too near");
     expect_refused(draw + " --hatching 1", 2, "--hatching needs --section");
+    expect_refused(draw + " --uncut rod", 2, "--uncut needs --section");
+    expect_refused(draw + " --section y=1 --uncut nut", 2, "no part is called \"nut\"");
     // An open mesh is drawn, and a message tells that it is open.
     write("open.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
     const Result open = run("draw " + path("open.obj") + " --up y --compute cpp -o " +

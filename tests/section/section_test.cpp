@@ -401,6 +401,60 @@ TEST(Sections, ObjectsThatTouchAndPiecesOfOneSurface) {
     EXPECT_NEAR(face_area(one.mesh, {0, 0, 0.25}, {0, 0, 1}), 4, 1e-6);
 }
 
+TEST(Sections, UncutPartsStayWhole) {
+    // A bolt of 16 sides in a cube.
+    Mesh two = cube();
+    add(two, placed(cylinder(16, true), {0, 0, 0}, 0.5F));
+    two.groups = {{"frame/plate", ""}, {"frame/bolts/Bolt 1", ""}};
+    two.triangle_group.assign(two.triangles.size(), 1);
+    std::fill_n(two.triangle_group.begin(), 12, 0U);
+    two.triangle_object = two.triangle_group;
+    const std::vector planes{plane({0, 0, 0}, {0, 0, 1}), plane({0, 0, 0}, {1, 0, 0})};
+    const double bolt = volume(placed(cylinder(16, true), {0, 0, 0}, 0.5F));
+    for (const std::string name : {"Bolt*", "bolts", "bolts/Bolt ?"}) {
+        SCOPED_TRACE(name);
+        const Section rest = cut_mesh(two, planes, {.spacing = 0.1}, std::array{name});
+        EXPECT_NEAR(volume(rest.mesh), 2 + bolt, 1e-5);
+        EXPECT_EQ(open_edges(rest.mesh), 0U);
+        EXPECT_NEAR(face_area(rest.mesh, {0, 0, 0}, {0, 0, 1}), 2, 1e-5);
+    }
+    EXPECT_NEAR(volume(cut_mesh(two, planes).mesh), 2 + bolt / 4, 1e-5);
+}
+
+TEST(Sections, LinesAndEdgesOfUncutPartsStayWhole) {
+    Mesh two = cube();
+    add(two, placed(cube(), {3, 0, 0}, 1));
+    two.groups = {{"left", ""}, {"right", ""}};
+    two.triangle_group.assign(two.triangles.size(), 1);
+    std::fill_n(two.triangle_group.begin(), 12, 0U);
+    two.triangle_object = two.triangle_group;
+    for (const std::uint32_t first : {0U, 8U}) {
+        two.polylines.push_back(
+            {first, first + 1, first + 2, first + 3, first + 4, first + 5, first + 6, first + 7});
+        two.polyline_object.push_back(first / 8);
+        for (std::uint32_t i = 0; i < 8; ++i)
+            for (std::uint32_t k = i + 1; k < 8; ++k)
+                if (glm::distance(two.positions[first + i], two.positions[first + k]) < 2.1F)
+                    two.known_edges.push_back({.from = first + i, .to = first + k});
+    }
+    const Section rest = cut_mesh(two, std::array{plane({0, 0, 0}, {0, 0, 1})}, {},
+                                  std::array<std::string, 1>{"right"});
+    std::size_t whole = 0;
+    for (const KnownEdge& edge : rest.mesh.known_edges) {
+        const glm::vec3 a = rest.mesh.positions[edge.from], b = rest.mesh.positions[edge.to];
+        if (a.x < 1.5F) {
+            EXPECT_LE(std::max(a.z, b.z), 0);
+        }
+        whole += a.x > 1.5F ? 1 : 0;
+    }
+    EXPECT_EQ(whole, 12U);
+    float highest = -1;
+    for (const auto& line : polylines(rest.mesh, PolylineKind::file))
+        for (const glm::vec3 at : line)
+            if (at.x > 1.5F) highest = std::max(highest, at.z);
+    EXPECT_EQ(highest, 1);
+}
+
 TEST(Sections, WhatDoesNotCloseIsSaidAndStaysOpen) {
     Mesh mesh = cylinder(16, false);
     mesh.triangles.pop_back(); // a gap in its side
@@ -466,6 +520,10 @@ TEST(Sections, RefusesWhatCannotBe) {
     EXPECT_NE(cut_at({0, 0, 0}, {0, 0, 1}, {.spacing = 1e-9}).find("too near"), std::string::npos);
     const std::vector<SectionPlane> many(7, plane({0, 0, 0}, {0, 0, 1}));
     EXPECT_NE(refusal([&] { cut_mesh(cube(), many); }).find("6 at most"), std::string::npos);
+    EXPECT_NE(refusal([&] {
+                  cut_mesh(cube(), std::array{many[0]}, {}, std::array<std::string, 1>{"Bolt*"});
+              }).find("no part is called \"Bolt*\""),
+              std::string::npos);
 }
 
 TEST(Sections, PlanesAsText) {

@@ -54,10 +54,13 @@ inline constexpr std::size_t most_sections = 6;
 
 /// Cuts a mesh by one plane after the other. Each part is closed by a face of its own. Parts are
 /// objects of the mesh's groups if they have names, and triangles that are connected by edges. If a
-/// part's cut does not close, the part stays open, and a note says so. Throws UsageError for a
-/// plane that misses the model, for a plane without a normal, for more than `most_sections` planes,
-/// and for too many hatching lines.
+/// part's cut does not close, the part stays open, and a note says so. Parts named by `uncut` stay
+/// whole, as bolts, shafts and ribs do by ISO 128-50; `*` and `?` stand for any letters, and the
+/// parts inside a part count too. Throws UsageError for a plane that misses the model, for a plane
+/// without a normal, for more than `most_sections` planes, for a name that no part has, and for too
+/// many hatching lines.
 LINEATLAS_API Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes,
-                               const Hatching& hatching = {});
+                               const Hatching& hatching = {},
+                               std::span<const std::string> uncut = {});
 
 } // namespace lineatlas
