@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -14,6 +15,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "circle_fitting.hpp"
 #include "core/edge_curve.hpp"
 #include "cubic_fitting.hpp"
 #include "edges_by_place.hpp"
@@ -712,6 +714,28 @@ class PathCurves::Finder {
         if (last == steps.size()) path.points.back().at = arc.at(from + sweep);
     }
 
+    /// The circle that goes through all points of a closed silhouette, as of a sphere of splines.
+    static std::optional<VectorArc> circle_of(std::span<const glm::dvec2> points) {
+        constexpr double off = 0.5 * most_off_surface;
+        const std::optional<Circle> circle = fit_circle(points);
+        if (!circle) return {};
+        double sweep = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (std::abs(circle->distance(points[i])) > off) return {};
+            if (i == 0) continue;
+            const double step = circle->angle(points[i - 1], points[i]);
+            if (!(step * sweep >= 0) || !(std::abs(step) < longest_step)) return {};
+            sweep += step;
+        }
+        if (std::abs(std::abs(sweep) - turn) > 0.5 * turn) return {}; // no turn, or several
+        const glm::dvec2 start = points.front() - circle->center;
+        return VectorArc{.center = circle->center,
+                         .major = {circle->radius, 0},
+                         .ratio = 1,
+                         .from = std::atan2(start.y, start.x),
+                         .sweep = std::copysign(turn, sweep)};
+    }
+
     /// Adds cubics along the steps that are smooth and no arc.
     static void add_cubics(VectorPath& path, const std::vector<Step>& steps) {
         std::vector<VectorCurve> curves;
@@ -730,8 +754,15 @@ class PathCurves::Finder {
                 std::vector<glm::dvec2> points;
                 for (std::uint32_t i = first; i <= last; ++i) points.push_back(path.points[i].at);
                 const bool whole = path.closed && first == 0 && last == count;
-                for (const FittedCubic& one : fit_cubics(
-                         points, whole, steps[first].on_mesh ? most_off_mesh : most_off_surface))
+                const bool on_mesh = steps[first].on_mesh;
+                const auto circle = whole && !on_mesh ? circle_of(points) : std::nullopt;
+                if (circle) {
+                    curves.push_back(
+                        {.first = first, .last = last, .arc = *circle, .edge = steps[first].edge});
+                    break;
+                }
+                for (const FittedCubic& one :
+                     fit_cubics(points, whole, on_mesh ? most_off_mesh : most_off_surface))
                     curves.push_back({.first = first + one.first,
                                       .last = first + one.last,
                                       .cubic = one.cubic,
