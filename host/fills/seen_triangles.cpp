@@ -139,7 +139,11 @@ class Scene {
   public:
     Scene(const LineSet& lines, const Camera& camera, std::span<const glm::dvec2> points)
         : lines_(lines), size_(camera.size), points_(points), tiles_(camera.size),
-          clip_from_world_(glm::dmat4{camera.projection} * glm::dmat4{camera.view}) {
+          clip_(lines.vertices.size()) {
+        const glm::dmat4 clip_from_world = glm::dmat4{camera.projection} * glm::dmat4{camera.view};
+        for_each_index(clip_.size(), [&](std::size_t i) {
+            clip_[i] = clip_from_world * glm::dvec4{glm::dvec3{lines.vertices[i]}, 1};
+        });
         find_boxes();
         points_of_ = list_by_tiles(tiles_.size(), points.size(), [&](std::size_t i, auto&& each) {
             each(tiles_.index(tiles_.at(points[i])));
@@ -160,8 +164,6 @@ class Scene {
     struct Box {
         glm::dvec2 low, high; ///< pixels; empty if nothing is seen of it
         double nearest;       ///< depth
-
-        bool reaches(glm::dvec2 at) const { return at.x >= low.x && at.x <= high.x; }
     };
 
     void find_boxes() {
@@ -193,25 +195,30 @@ class Scene {
         std::ranges::sort(triangles, {}, [&](std::uint32_t i) {
             return std::pair{boxes_[i].nearest, i};
         });
-        const auto height_of = [&](std::uint32_t point) { return points_[point].y; };
-        std::ranges::sort(points, {}, height_of);
-        std::vector<glm::dvec2> places;
-        for (const std::uint32_t point : points) places.push_back(device(points_[point]));
+        std::ranges::sort(points, {}, [&](std::uint32_t point) { return points_[point].y; });
+        std::vector<double> columns, heights; // side by side, since most are only passed over
+        for (const std::uint32_t point : points) {
+            columns.push_back(points_[point].x);
+            heights.push_back(points_[point].y);
+        }
         std::vector<double> depths(points.size(), std::numeric_limits<double>::infinity());
         constexpr std::size_t often = 64; // triangles
         for (std::size_t n = 0; n < triangles.size(); ++n) {
             const std::uint32_t i = triangles[n];
             const Box& box = boxes_[i];
             if (n % often == 0 && box.nearest > *std::ranges::max_element(depths)) break;
-            const auto first = std::ranges::lower_bound(points, box.low.y, {}, height_of);
-            const auto end = std::ranges::upper_bound(points, box.high.y, {}, height_of);
+            const auto row = [&](auto at) {
+                return static_cast<std::size_t>(at - heights.begin());
+            };
+            const std::size_t first = row(std::ranges::lower_bound(heights, box.low.y));
+            const std::size_t end = row(std::ranges::upper_bound(heights, box.high.y));
             std::optional<ShownTriangle> triangle; // most boxes have no point that asks for it
-            for (auto point = first; point < end; ++point) {
-                const auto k = static_cast<std::size_t>(point - points.begin());
-                if (box.nearest > depths[k] || !box.reaches(points_[*point])) continue;
+            for (std::size_t k = first; k < end; ++k) {
+                const bool reaches = columns[k] >= box.low.x && columns[k] <= box.high.x;
+                if (box.nearest > depths[k] || !reaches) continue;
                 if (!triangle) triangle = shown(lines_.triangles[i]);
-                const auto depth = triangle->depth_at(places[k]);
-                std::uint32_t& own = seen[*point];
+                const auto depth = triangle->depth_at(device({columns[k], heights[k]}));
+                std::uint32_t& own = seen[points[k]];
                 if (!depth || *depth > depths[k] || (*depth == depths[k] && i > own)) continue;
                 depths[k] = *depth;
                 own = i;
@@ -220,10 +227,7 @@ class Scene {
     }
 
     ShownTriangle shown(glm::uvec3 t) const {
-        const auto clip = [&](std::uint32_t vertex) {
-            return clip_from_world_ * glm::dvec4{glm::dvec3{lines_.vertices[vertex]}, 1};
-        };
-        return ShownTriangle{{clip(t.x), clip(t.y), clip(t.z)}};
+        return ShownTriangle{{clip_[t.x], clip_[t.y], clip_[t.z]}};
     }
     glm::dvec2 device(glm::dvec2 pixels) const {
         const glm::dvec2 share = pixels / size_;
@@ -237,8 +241,8 @@ class Scene {
     glm::dvec2 size_;
     std::span<const glm::dvec2> points_;
     Tiles tiles_;
-    glm::dmat4 clip_from_world_;
-    std::vector<Box> boxes_; ///< per triangle
+    std::vector<glm::dvec4> clip_; ///< per vertex, before the camera
+    std::vector<Box> boxes_;       ///< per triangle
     TileLists points_of_, triangles_of_;
 };
 
