@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/App.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h> // fmt::join
 
 #include "base/numbers.hpp"
 #include "command_line/part_filter.hpp"
@@ -105,22 +107,22 @@ Making making_of(const DrawingFile& drawing, const std::string& path, glm::dvec3
     });
 }
 
-/// Throws Error if a larger share of the drawing is wrong than allowed.
-void hold_to(double at_most, const DrawingErrors& errors, const std::string& path) {
+/// Throws Error with everything in which a drawing is worse than --at-most and --paths allow.
+void hold_to(const CheckArguments& arguments, const Certificate& certificate) {
+    std::vector<std::string> faults;
+    const DrawingErrors& errors = certificate.narrow;
     for (const auto& [what, share] :
          {std::pair{"missed", errors.missed_share()}, std::pair{"false", errors.false_share()}}) {
-        if (100 * share <= at_most) continue;
-        throw Error(
-            fmt::format("\"{}\": {:.4f} % is {} within {:g} pixels, more than --at-most {:g}", path,
-                        100 * share, what, errors.reach, at_most));
+        if (arguments.at_most && 100 * share > *arguments.at_most)
+            faults.push_back(
+                fmt::format("{:.4f} % is {} within {:g} pixels, more than --at-most {:g}",
+                            100 * share, what, errors.reach, *arguments.at_most));
     }
-}
-
-/// Throws Error if a drawing has another number of visible paths than the one known to be right.
-void hold_to_paths(std::size_t expected, std::size_t found, const std::string& path) {
-    if (found != expected)
-        throw Error(fmt::format("\"{}\": it has {} visible paths, not the {} of --paths", path,
-                                found, expected));
+    if (arguments.paths && *arguments.paths != certificate.paths)
+        faults.push_back(fmt::format("it has {} visible paths, not the {} of --paths",
+                                     certificate.paths, *arguments.paths));
+    if (!faults.empty())
+        throw Error(fmt::format("\"{}\": {}", arguments.drawing, fmt::join(faults, "; ")));
 }
 
 void check(const CheckArguments& arguments) {
@@ -156,8 +158,7 @@ void check(const CheckArguments& arguments) {
         write_image(arguments.picture,
                     error_picture(truth, drawn.legs, certificate.narrow, picture_scale));
     std::fflush(stdout); // messages about the result come after it
-    if (arguments.at_most) hold_to(*arguments.at_most, certificate.narrow, arguments.drawing);
-    if (arguments.paths) hold_to_paths(*arguments.paths, certificate.paths, arguments.drawing);
+    hold_to(arguments, certificate);
 }
 
 } // namespace

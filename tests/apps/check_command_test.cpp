@@ -12,6 +12,13 @@
 namespace lineatlas::test {
 namespace {
 
+/// A drawing that draws nothing.
+std::string without_paths(std::string svg) {
+    for (std::size_t at; (at = svg.find("<path")) != std::string::npos;)
+        svg.erase(at, svg.find("</path>", at) + 7 - at);
+    return svg;
+}
+
 class CheckCommand : public Tool {
   protected:
     std::string content(const std::string& name) const {
@@ -99,9 +106,7 @@ TEST_F(CheckCommand, FindsLinesThatAreMissingAndLinesThatAreFalse) {
         &picture.pixels[static_cast<std::size_t>((20 * 800 + 100) * picture.channels)];
     EXPECT_EQ((std::array<int, 3>{pixel[0], pixel[1], pixel[2]}), (std::array{230, 0, 0}));
 
-    for (std::size_t at; (at = svg.find("<path")) != std::string::npos;)
-        svg.erase(at, svg.find("</path>", at) + 7 - at);
-    write("missed.svg", svg);
+    write("missed.svg", without_paths(svg));
     EXPECT_EQ(figure(check("missed.svg"), "missed within 1.5 px"), 100);
 
     const std::string model = " " + path("model.obj") + " --at-most 1";
@@ -130,6 +135,15 @@ TEST_F(CheckCommand, ADrawingHasAsManyPathsAsExpected) {
     const std::string why =
         "it has " + std::to_string(found) + " visible paths, not the " + few + " of --paths";
     EXPECT_NE(result.output.find(why), std::string::npos) << result.output;
+    write("empty.svg", without_paths(content("a.svg")));
+    const Result both =
+        run("check " + path("empty.svg") + " " + path("model.obj") + " --at-most 1 --paths " + few);
+    EXPECT_EQ(both.exit_code, 1);
+    EXPECT_NE(both.output.find("100.0000 % is missed within 0.5 pixels, more than --at-most 1; "
+                               "it has 0 visible paths, not the " +
+                               few + " of --paths"),
+              std::string::npos)
+        << both.output;
     expect_refused("check " + path("a.svg") + " " + path("model.obj") + " --paths -1", 2,
                    "--paths");
 }
