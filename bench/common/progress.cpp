@@ -15,12 +15,13 @@ void Progress::say(const std::string& text) {
 
 void Progress::detail(const std::string& text) {
     if (!terminal_) return;
-    print_error("\r\x1b[K" + text);
+    clear_error_line();
+    print_error(text);
     shown_ = true;
 }
 
 void Progress::clear() {
-    if (shown_) print_error("\r\x1b[K");
+    if (shown_) clear_error_line();
     shown_ = false;
 }
 

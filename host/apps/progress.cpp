@@ -1,11 +1,11 @@
 #include "progress.hpp"
 
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/printable.hpp"
 #include "io/standard_streams.hpp"
 
 namespace lineatlas::apps {
@@ -14,6 +14,8 @@ namespace {
 constexpr std::chrono::seconds between_lines{10}; // in a log, where every line stays
 
 constexpr std::chrono::milliseconds between_bars{100}; // on a terminal
+
+constexpr std::size_t longest_stage = 40; // with its bar it fits on a line of 80 letters
 
 std::string duration(double seconds) {
     const auto whole = static_cast<long>(seconds + 0.5);
@@ -46,8 +48,8 @@ void Progress::clear() {
     if (terminal_) clear_error_line();
 }
 
-StageLine::StageLine(std::string stage)
-    : stage_(std::move(stage)), terminal_(isatty(STDERR_FILENO) != 0) {
+StageLine::StageLine(std::string_view stage)
+    : stage_(printable(stage, longest_stage)), terminal_(isatty(STDERR_FILENO) != 0) {
     if (terminal_) print_error("lineatlas: " + stage_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 #include "lineatlas/progress.hpp"
 
@@ -36,8 +37,9 @@ class Progress {
 /// left. Elsewhere it shows nothing.
 class StageLine {
   public:
-    /// Shows the stage, in a word or two, until progress() knows more.
-    explicit StageLine(std::string stage);
+    /// Shows the stage, in a word or two and perhaps the name of a file, as printable() returns it,
+    /// until progress() knows more.
+    explicit StageLine(std::string_view stage);
     ~StageLine() { clear(); }
     StageLine(const StageLine&) = delete;
     StageLine& operator=(const StageLine&) = delete;

@@ -70,6 +70,18 @@ TEST_F(Streams, ATerminalShowsTheStageAndIsLeftClean) {
     EXPECT_EQ(shell(command + " 2>&1").output, "") << "no terminal";
 }
 
+TEST_F(Streams, ALongNameOfAFileStaysOnTheLineOfTheStage) {
+    const Terminal terminal;
+    const std::string name = "a\nb\t\x1b[2J" + std::string(150, 'n') + ".obj";
+    write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string command = tool + " draw \"" + path(name) + "\" -o " + path("x.svg");
+    ASSERT_EQ(exit_code(command + " 2>" + terminal.name()), 0);
+    const std::string text = terminal.text();
+    EXPECT_NE(text.find("lineatlas: reading a?b??[2Jnnnn"), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    EXPECT_EQ(text.find(std::string(60, 'n')), std::string::npos) << text;
+}
+
 TEST_F(Streams, ErrorsThatNobodyTakesChangeNothing) {
     for (const char* nowhere : {"2>/dev/full", "2>&-", "2>&3"}) {
         // Progress, then the line at the end.
