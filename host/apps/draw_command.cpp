@@ -155,7 +155,7 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
         ProfiledOutput profiled{output, measuring->renderer};
         draw_sequence(*drawing.frames, profiled, arguments.sequence.resume());
         say_if_empty();
-        return arguments.profile.write(profiled.take(), measuring->renderer.description());
+        return arguments.profile.write(profiled.take(), measuring->renderer.description(), {});
     }
     const Subject& subject = drawing.subject;
     const Camera camera = make_camera(subject.view, drawing.size, subject.lines.bounds);
@@ -175,8 +175,8 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
             glFinish(); // so that the next frame does not wait for the strokes of this one
         }
         profiles = renderer.take_profiles();
-        arguments.profile.write(profiles, renderer.description());
     }
+    const std::string description = renderer.description();
     if (arguments.stats) {
         measure_and_print(
             {.name = subject.name,
@@ -186,10 +186,13 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
              .draw = [&](const FrameOptions& wanted) { return measuring->draw(camera, wanted); }},
             renderer);
     }
+    KernelReport report;
     if (arguments.kernels.given()) {
-        arguments.kernels.write(profiles, renderer,
-                                [&] { measuring->draw(camera, drawing.options); });
+        report = KernelOptions::measure(profiles, renderer,
+                                        [&] { measuring->draw(camera, drawing.options); });
     }
+    arguments.profile.write(profiles, description, report.kernels);
+    arguments.kernels.write(report);
 }
 
 void draw_pictures(const Drawing& drawing, Renderer& renderer, ImageWriter& writer) {

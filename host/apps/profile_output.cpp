@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h> // fmt::join
 
+#include "compute/opencl/devices.hpp"
 #include "io/atomic_file.hpp"
 #include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
@@ -60,11 +61,12 @@ void ProfileOptions::declare(CLI::App& app, const std::string& group) {
                           group);
 }
 
-void ProfileOptions::write(std::span<const FrameProfile> frames,
-                           const std::string& description) const {
+void ProfileOptions::write(std::span<const FrameProfile> frames, const std::string& description,
+                           std::span<const KernelTime> kernels) const {
     ReportOption::write([&](std::string_view extension) {
         if (extension.empty()) return profile_table(frames);
-        return extension == ".csv" ? profile_csv(frames) : profile_trace(frames, description);
+        return extension == ".csv" ? profile_csv(frames)
+                                   : kernel_trace(frames, kernels, description);
     });
 }
 
@@ -76,20 +78,53 @@ void KernelOptions::declare(CLI::App& app, const std::string& group) {
         group);
 }
 
-void KernelOptions::write(std::span<const FrameProfile> frames, Renderer& renderer,
-                          const std::function<void()>& draw) const {
-    const Roofs roofs{frames.empty() ? 0 : frames.back().copy_gigabytes_per_second,
-                      measure_arithmetic()};
+namespace {
+
+/// The name of the renderer's device, as `--device` takes it; empty for one of a program's own
+/// kind.
+std::string device_of(const Renderer& renderer) {
+    const std::string description = renderer.description();
+    if (description.starts_with("cpp")) return "cpp";
+    for (const compute::OpenClDevice& device : compute::list_opencl_devices())
+        if (description.starts_with(device.description())) return device.name();
+    return {};
+}
+
+} // namespace
+
+KernelReport KernelOptions::measure(std::span<const FrameProfile> frames, Renderer& renderer,
+                                    const std::function<void()>& draw) {
+    KernelReport report;
+    if (!frames.empty()) report.roofs.copy = frames.back().copy_gigabytes_per_second;
+    std::vector<PerfCounts> perf;
+    if (const std::string device = device_of(renderer); !device.empty()) {
+        report.roofs.arithmetic = measure_arithmetic(device);
+        register_perf_device();
+        renderer.set_device({.compute = "perf", .device = device});
+        draw(); // makes tables grow; a frame whose tables were too small is drawn again
+        take_perf_counts();
+        draw();
+        perf = take_perf_counts();
+        const auto has_time = [](const PerfCounts& launch) { return launch.cpu_time.has_value(); };
+        if (std::ranges::any_of(perf, has_time)) report.note = why_no_perf_events();
+    }
     register_counting_device();
     renderer.set_device({.compute = "counting"});
-    draw(); // makes tables grow; a frame whose tables were too small is drawn again
+    draw(); // makes tables grow
     take_launch_counts();
     draw();
-    const std::vector<KernelTime> kernels = kernel_times(frames, take_launch_counts(), roofs);
+    report.kernels = kernel_times(frames, take_launch_counts(), report.roofs, perf);
+    return report;
+}
+
+void KernelOptions::write(const KernelReport& report) const {
     ReportOption::write([&](std::string_view extension) {
-        if (extension.empty()) return kernel_table(kernels, roofs);
-        if (extension == ".svg") return roofline_svg(kernels, roofs);
-        return extension == ".csv" ? kernel_csv(kernels, roofs) : kernel_json(kernels, roofs);
+        if (extension == ".svg") return roofline_svg(report.kernels, report.roofs);
+        if (extension == ".csv") return kernel_csv(report.kernels, report.roofs);
+        if (extension == ".json") return kernel_json(report.kernels, report.roofs);
+        const std::string table = kernel_table(report.kernels, report.roofs);
+        if (report.note.empty()) return table;
+        return table + fmt::format("no instructions, cycles and cache misses: {}\n", report.note);
     });
 }
 

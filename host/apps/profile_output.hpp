@@ -42,7 +42,16 @@ class ProfileOptions : public ReportOption {
   public:
     ProfileOptions() : ReportOption("--profile", {".json", ".csv"}) {}
     void declare(CLI::App& app, const std::string& group);
-    void write(std::span<const FrameProfile> frames, const std::string& description) const;
+    /// `kernels`: figures for the trace, of --kernels.
+    void write(std::span<const FrameProfile> frames, const std::string& description,
+               std::span<const KernelTime> kernels) const;
+};
+
+/// What --kernels reports.
+struct KernelReport {
+    std::vector<KernelTime> kernels{};
+    Roofs roofs{};
+    std::string note{}; ///< why the CPU's events are missing; empty if they are not
 };
 
 /// `--kernels`: where to write why each kernel takes its time.
@@ -50,10 +59,11 @@ class KernelOptions : public ReportOption {
   public:
     KernelOptions() : ReportOption("--kernels", {".json", ".csv", ".svg"}) {}
     void declare(CLI::App& app, const std::string& group);
-    /// Counts the work of kernels while `draw` draws such a frame. The renderer stays on the
-    /// counting device.
-    void write(std::span<const FrameProfile> frames, Renderer& renderer,
-               const std::function<void()>& draw) const;
+    /// Counts the work of kernels, and a CPU's events, while `draw` draws such a frame. The
+    /// renderer stays on the counting device.
+    static KernelReport measure(std::span<const FrameProfile> frames, Renderer& renderer,
+                                const std::function<void()>& draw);
+    void write(const KernelReport& report) const;
 };
 
 /// Takes the profile of each frame that `output` has drawn.

@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <iterator>
 #include <map>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/median.hpp"
 #include "lineatlas/kernel_profile.hpp"
@@ -16,21 +13,63 @@ struct Launches {
     std::vector<double> each{};                          ///< nanoseconds
     double bytes = 0, operations = 0;                    ///< sums of all counted launches
     std::vector<double> byte_rates{}, operation_rates{}; ///< of each counted launch, per nanosecond
+    std::vector<PerfCounts> perf{};
 };
 
-/// The launches of each kernel in the frame that was counted.
-using Counts = std::map<std::string, std::vector<LaunchCounts>>;
+/// The launches of each kernel in a frame that was counted.
+template <class OfLaunch>
+using ByKernel = std::map<std::string, std::vector<OfLaunch>>;
 
-/// The work of the k-th of a frame's `all` launches of a kernel: that of the k-th counted launch,
-/// or an equal part if a device divides the work differently.
-LaunchCounts part_of(const std::vector<LaunchCounts>& counted, std::size_t k, std::size_t all) {
-    if (counted.size() == all) return counted[k];
+struct Counts {
+    ByKernel<LaunchCounts> work;
+    ByKernel<PerfCounts> perf;
+};
+
+template <class OfLaunch>
+ByKernel<OfLaunch> by_kernel(std::span<const OfLaunch> launches) {
+    ByKernel<OfLaunch> result;
+    for (const OfLaunch& launch : launches) result[launch.kernel].push_back(launch);
+    return result;
+}
+
+/// An equal part of all launches for each of `all` launches.
+LaunchCounts equal_part(const std::vector<LaunchCounts>& counted, std::size_t all) {
     LaunchCounts sum;
     for (const LaunchCounts& launch : counted) {
         sum.bytes += launch.bytes;
         sum.operations += launch.operations;
     }
     return {{}, sum.bytes / all, sum.operations / all};
+}
+
+PerfCounts equal_part(const std::vector<PerfCounts>& counted, std::size_t all) {
+    PerfCounts sum;
+    const auto add = [](std::optional<std::uint64_t>& to, const std::optional<std::uint64_t>& own) {
+        if (own) to = to.value_or(0) + *own;
+    };
+    for (const PerfCounts& launch : counted) {
+        sum.time += launch.time;
+        sum.resources = launch.resources;
+        add(sum.cpu_time, launch.cpu_time);
+        add(sum.cycles, launch.cycles);
+        add(sum.instructions, launch.instructions);
+        add(sum.cache_misses, launch.cache_misses);
+    }
+    sum.time /= all;
+    for (auto* count : {&sum.cpu_time, &sum.cycles, &sum.instructions, &sum.cache_misses})
+        if (*count) **count /= all;
+    return sum;
+}
+
+/// The counts of the k-th of a frame's `all` launches of a kernel: those of the k-th counted
+/// launch, or an equal part if a device divides the work differently. Nothing if it was not
+/// counted.
+template <class OfLaunch>
+std::optional<OfLaunch> counts_of(const ByKernel<OfLaunch>& counts, const std::string& kernel,
+                                  std::size_t k, std::size_t all) {
+    const auto counted = counts.find(kernel);
+    if (counted == counts.end()) return std::nullopt;
+    return counted->second.size() == all ? counted->second[k] : equal_part(counted->second, all);
 }
 
 using ByStageAndName = std::map<std::pair<std::string, std::string>, Launches>;
@@ -47,13 +86,14 @@ void add(const FrameProfile& frame, const Counts& counts, ByStageAndName& all) {
         if (!is_launch(event)) continue;
         Launches& own = all[{event.stage, event.name}];
         own.each.push_back(static_cast<double>(event.end - event.start));
-        const auto counted = counts.find(event.name);
-        if (counted == counts.end()) continue;
-        const LaunchCounts launch =
-            part_of(counted->second, seen[event.name]++, launches[event.name]);
+        const std::size_t k = seen[event.name]++, of_frame = launches[event.name];
+        if (const auto perf = counts_of(counts.perf, event.name, k, of_frame))
+            own.perf.push_back(*perf);
+        const auto launch = counts_of(counts.work, event.name, k, of_frame);
+        if (!launch) continue;
         const double taken = std::max(own.each.back(), 1.0);
-        const auto bytes = static_cast<double>(launch.bytes);
-        const auto operations = static_cast<double>(launch.operations);
+        const auto bytes = static_cast<double>(launch->bytes);
+        const auto operations = static_cast<double>(launch->operations);
         own.bytes += bytes;
         own.operations += operations;
         own.byte_rates.push_back(bytes / taken);
@@ -72,6 +112,22 @@ Bound bound_of(const KernelTime& kernel, const Roofs& roofs, double shortest) {
     return memory > arithmetic ? Bound::memory : Bound::arithmetic;
 }
 
+/// Sets what the CPU counted, as means over launches, and what the driver tells.
+void set_perf(KernelTime& kernel, const std::vector<PerfCounts>& launches) {
+    if (launches.empty()) return;
+    const PerfCounts mean = equal_part(launches, launches.size());
+    kernel.resources = mean.resources;
+    if (mean.cpu_time)
+        kernel.cores = static_cast<double>(*mean.cpu_time) /
+                       static_cast<double>(std::max<std::uint64_t>(mean.time, 1));
+    const auto number = [](const std::optional<std::uint64_t>& count) {
+        return count ? std::optional{static_cast<double>(*count)} : std::nullopt;
+    };
+    kernel.cycles = number(mean.cycles);
+    kernel.instructions = number(mean.instructions);
+    kernel.cache_misses = number(mean.cache_misses);
+}
+
 KernelTime time_of(const std::pair<std::string, std::string>& key, const Launches& launches) {
     KernelTime kernel{.stage = key.first, .name = key.second, .launches = launches.each.size()};
     kernel.median = median(launches.each);
@@ -85,12 +141,8 @@ KernelTime time_of(const std::pair<std::string, std::string>& key, const Launche
         kernel.gigabytes_per_second = median(launches.byte_rates);
         kernel.gigaops_per_second = median(launches.operation_rates);
     }
+    set_perf(kernel, launches.perf);
     return kernel;
-}
-
-/// A share in percent; "-" if there is no roof.
-std::string share(double value, double roof) {
-    return roof > 0 ? fmt::format("{:.1f}", 100 * value / roof) : "-";
 }
 
 } // namespace
@@ -112,9 +164,9 @@ const char* name_of(Bound bound) {
 }
 
 std::vector<KernelTime> kernel_times(std::span<const FrameProfile> frames,
-                                     std::span<const LaunchCounts> counts, const Roofs& roofs) {
-    Counts of;
-    for (const LaunchCounts& launch : counts) of[launch.kernel].push_back(launch);
+                                     std::span<const LaunchCounts> counts, const Roofs& roofs,
+                                     std::span<const PerfCounts> perf) {
+    const Counts of{by_kernel(counts), by_kernel(perf)};
     ByStageAndName all;
     for (const FrameProfile& frame : frames) add(frame, of, all);
     std::vector<KernelTime> result;
@@ -124,59 +176,6 @@ std::vector<KernelTime> kernel_times(std::span<const FrameProfile> frames,
     for (KernelTime& kernel : result) kernel.bound = bound_of(kernel, roofs, shortest);
     std::ranges::stable_sort(result, std::greater{}, &KernelTime::sum);
     return result;
-}
-
-std::string kernel_table(std::span<const KernelTime> kernels, const Roofs& roofs) {
-    std::string text =
-        fmt::format("{:<14}{:<24}{:>9}{:>11}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>9}{:>8}  {}\n",
-                    "stage", "kernel", "launches", "median ms", "10 %", "90 %", "MB", "GB/s",
-                    "% copy", "Mop", "Gop/s", "% roof", "bound by");
-    for (const KernelTime& kernel : kernels) {
-        text += fmt::format("{:<14}{:<24}{:>9}{:>11.4f}{:>9.4f}{:>9.4f}", kernel.stage, kernel.name,
-                            kernel.launches, kernel.median * 1e-6, kernel.p10 * 1e-6,
-                            kernel.p90 * 1e-6);
-        text +=
-            fmt::format("{:>9.3f}{:>9.2f}{:>9}{:>8.2f}{:>9.2f}{:>8}  {}\n", kernel.bytes * 1e-6,
-                        kernel.gigabytes_per_second, share(kernel.gigabytes_per_second, roofs.copy),
-                        kernel.operations * 1e-6, kernel.gigaops_per_second,
-                        share(kernel.gigaops_per_second, roofs.arithmetic), name_of(kernel.bound));
-    }
-    return text + fmt::format("roofs: a copy {:.2f} GB/s; products and sums {:.1f} Gop/s\n",
-                              roofs.copy, roofs.arithmetic);
-}
-
-std::string kernel_csv(std::span<const KernelTime> kernels, const Roofs& roofs) {
-    std::string text = "stage,kernel,launches,median_us,p10_us,p90_us,bytes,operations,gb_per_s,"
-                       "copy_gb_per_s,gop_per_s,roof_gop_per_s,bound\n";
-    for (const KernelTime& kernel : kernels) {
-        fmt::format_to(
-            std::back_inserter(text),
-            "{},{},{},{:.3f},{:.3f},{:.3f},{:.0f},{:.0f},{:.3f},{:.3f},{:.3f},{:.3f},{}\n",
-            kernel.stage, kernel.name, kernel.launches, kernel.median * 1e-3, kernel.p10 * 1e-3,
-            kernel.p90 * 1e-3, kernel.bytes, kernel.operations, kernel.gigabytes_per_second,
-            roofs.copy, kernel.gigaops_per_second, roofs.arithmetic, name_of(kernel.bound));
-    }
-    return text;
-}
-
-std::string kernel_json(std::span<const KernelTime> kernels, const Roofs& roofs) {
-    nlohmann::ordered_json json{
-        {"roofs", {{"copy_gb_per_s", roofs.copy}, {"arithmetic_gop_per_s", roofs.arithmetic}}},
-        {"kernels", nlohmann::ordered_json::array()}};
-    for (const KernelTime& kernel : kernels) {
-        json["kernels"].push_back({{"stage", kernel.stage},
-                                   {"kernel", kernel.name},
-                                   {"launches", kernel.launches},
-                                   {"median_us", kernel.median * 1e-3},
-                                   {"p10_us", kernel.p10 * 1e-3},
-                                   {"p90_us", kernel.p90 * 1e-3},
-                                   {"bytes", kernel.bytes},
-                                   {"operations", kernel.operations},
-                                   {"gb_per_s", kernel.gigabytes_per_second},
-                                   {"gop_per_s", kernel.gigaops_per_second},
-                                   {"bound", name_of(kernel.bound)}});
-    }
-    return json.dump(1) + "\n";
 }
 
 } // namespace lineatlas

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/vec2.hpp>
 
+#include "kernel_figures.hpp"
 #include "lineatlas/kernel_profile.hpp"
 
 namespace lineatlas {
@@ -62,6 +63,17 @@ glm::dvec2 free_place(glm::dvec2 place, const std::vector<glm::dvec2>& others) {
     };
     while (std::ranges::any_of(others, hides)) place.y += line;
     return place;
+}
+
+/// What a viewer shows when the pointer is on a dot: a line for each figure that is known.
+std::string title_of(const KernelTime& kernel) {
+    std::string text = fmt::format("{} {}: {}", kernel.stage, kernel.name, name_of(kernel.bound));
+    const nlohmann::ordered_json figures = figures_of(kernel);
+    for (const auto& [key, value] : figures.items()) {
+        if (key == "bound" || value.is_null()) continue;
+        text += fmt::format("\n{}: {:.6g}", key, value.get<double>());
+    }
+    return text;
 }
 
 std::string grid(const Axis& x, const Axis& y) {
@@ -124,9 +136,8 @@ std::string roofline_svg(std::span<const KernelTime> kernels, const Roofs& roofs
             const double at_y = y.place(dot.kernel->gigaops_per_second);
             fmt::format_to(std::back_inserter(svg),
                            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#36c\" "
-                           "fill-opacity=\"0.6\"><title>{} {}: {}</title></circle>\n",
-                           at_x, at_y, radius, dot.kernel->stage, dot.kernel->name,
-                           name_of(dot.kernel->bound));
+                           "fill-opacity=\"0.6\"><title>{}</title></circle>\n",
+                           at_x, at_y, radius, title_of(*dot.kernel));
             if (dot.kernel->sum < 0.02 * longest) continue;
             labels.push_back(free_place({at_x + radius + 3, at_y + 4}, labels));
             svg += text_at(labels.back().x, labels.back().y, "start", dot.kernel->name);

@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "kernel_figures.hpp"
 #include "lineatlas/profile.hpp"
 
 // Trace Event Format: complete events ("X") on a thread per track, names as metadata ("M"),
@@ -47,7 +46,8 @@ void name_thread(Json& events, int thread, const char* title) {
 
 class Trace {
   public:
-    explicit Trace(std::int64_t zero) : zero_(zero) {}
+    Trace(std::int64_t zero, std::span<const KernelTime> kernels)
+        : zero_(zero), kernels_(kernels) {}
 
     void add_names(const std::string& description) {
         events_.push_back(
@@ -79,6 +79,7 @@ class Trace {
                 arguments["gb_per_s"] = event.gigabytes_per_second();
                 arguments["copy_gb_per_s"] = frame.copy_gigabytes_per_second;
             }
+            if (event.items > 0) add_kernel(event, arguments);
             add_complete(event.name, event.stage.empty() ? "none" : event.stage,
                          thread_of(event.track), event.start, event.end, std::move(arguments));
         }
@@ -103,14 +104,29 @@ class Trace {
                            {"args", std::move(arguments)}});
     }
 
+    /// Adds the figures of the event's kernel, as a member of their own: keys of a launch have
+    /// other meanings.
+    void add_kernel(const ProfileEvent& event, Json& arguments) const {
+        const auto own = std::ranges::find_if(kernels_, [&](const KernelTime& kernel) {
+            return kernel.stage == event.stage && kernel.name == event.name;
+        });
+        if (own != kernels_.end()) arguments["kernel"] = figures_of(*own);
+    }
+
     std::int64_t zero_;
+    std::span<const KernelTime> kernels_;
     Json events_ = Json::array();
 };
 
 } // namespace
 
 std::string profile_trace(std::span<const FrameProfile> frames, const std::string& description) {
-    Trace trace{frames.empty() ? 0 : frames.front().start};
+    return trace_of(frames, {}, description);
+}
+
+std::string trace_of(std::span<const FrameProfile> frames, std::span<const KernelTime> kernels,
+                     const std::string& description) {
+    Trace trace{frames.empty() ? 0 : frames.front().start, kernels};
     trace.add_names(description);
     Json errors = Json::object();
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -126,6 +126,24 @@ TEST_F(Tool, SaysWhyKernelsTakeTheirTime) {
     EXPECT_NE(read(path("k.json")).find("\"kernel\": \"project_clip\""), std::string::npos);
     EXPECT_NE(read(path("k.csv")).find("\nproject_clip,project_clip,"), std::string::npos);
     EXPECT_NE(read(path("k.svg")).find("<title>project_clip project_clip: "), std::string::npos);
+    // Either the CPU's events are there, or one line says why they are not.
+    EXPECT_NE(drawn.output.find("M instr.  per cycle"), std::string::npos) << drawn.output;
+    EXPECT_EQ(drawn.output.find("\nno instructions, cycles and cache misses: ") !=
+                  std::string::npos,
+              read(path("k.json")).find("\"cycles\": null") != std::string::npos);
+    EXPECT_EQ(read(path("k.json")).find("\"cores\": null"), std::string::npos);
+}
+
+TEST_F(Tool, SaysWhatADriverTellsOfKernels) {
+    const Result drawn = run(
+        "draw --scene clevis --size 200x150 --method atlas --device opencl:portable -o " +
+        path("c.png") + " --repeat 2 --kernels " + path("k.json") + " --profile " + path("t.json"));
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.output;
+    for (const char* key : {"\"largest_group\": ", "\"group_multiple\": ", "\"local_bytes\": ",
+                            "\"private_bytes\": ", "\"bound\": \"", "\"cores\": "}) {
+        EXPECT_NE(read(path("k.json")).find(key), std::string::npos) << key;
+        EXPECT_NE(read(path("t.json")).find(key), std::string::npos) << key;
+    }
 }
 #endif
 

@@ -8,6 +8,7 @@
 #include "compute/kernel_bytes.hpp"
 #include "compute/kernels.hpp"
 #include "compute/transfer.hpp"
+#include "lineatlas/error.hpp"
 
 namespace lineatlas::test {
 namespace {
@@ -72,8 +73,10 @@ TEST(CountedFloat, CountsEachOperation) {
     EXPECT_EQ(counted_operations - before, 4U); // a sign is no operation
 }
 
-TEST(Roofs, ArithmeticIsMeasured) {
-    EXPECT_GT(measure_arithmetic(), 0.1);
+TEST(Roofs, ArithmeticIsMeasuredOnEveryKindOfDevice) {
+    for (const char* device : {"cpp", "opencl", "opencl:portable"})
+        EXPECT_GT(measure_arithmetic(device), 0.1) << device;
+    EXPECT_THROW(measure_arithmetic("toaster"), UsageError);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ awk '/^ *```sh$/ { file = ++n ".sh"; next }
      file { print substr($0, file ~ /txt/ ? indent + 1 : 1) > file }' "$page"
 
 without_numbers() {
-    sed -E 's/ on opencl: .*\): / on a device: /; s/, (avx[0-9]+|baseline): /, a set: /; s/loop [0-9a-f]+ to [0-9a-f]+/loop/; s/[0-9]+(\.[0-9]+)?/N/g; s/ +/ /g; s/^ //; s/ (same|cannot be told|latency|memory|arithmetic|launch)?$//' "$1"
+    sed -E 's/ on opencl: .*\): / on a device: /; s/, (avx[0-9]+|baseline): /, a set: /; s/loop [0-9a-f]+ to [0-9a-f]+/loop/; s/[0-9]+(\.[0-9]+)?/N/g; s/ +/ /g; s/ -/ N/g; s/^ //; s/ (same|cannot be told|latency|memory|arithmetic|launch)?$//' "$1"
 }
 is_printed() { # LINE
     grep -Fxq -- "$1" seen || { cat printed && echo "walk: not printed: $1" >&2 && exit 1; }

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <thread>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "compute/kernel_bytes.hpp"
-#include "core/host_clock.hpp"
 #include "counted_float.hpp"
 #include "counted_memory.hpp"
 #include "cpp_device.hpp"
@@ -99,27 +95,6 @@ void register_counting_device() {
 
 std::vector<LaunchCounts> take_launch_counts() {
     return std::exchange(all_counts(), {});
-}
-
-double measure_arithmetic() {
-    constexpr std::uint64_t rounds = 1U << 18U;
-    constexpr std::int64_t while_ns = 100'000'000;
-    double best = 0;
-    const std::int64_t end = host_nanoseconds() + while_ns;
-    do {
-        std::atomic<std::uint64_t> operations = 0;
-        const std::int64_t start = host_nanoseconds();
-        const auto compute_piece = [&](std::size_t piece) {
-            float result = static_cast<float>(piece);
-            operations += compute::multiply_and_add(rounds, result);
-            volatile float seen = result; // so that the result must be computed
-            static_cast<void>(seen);
-        };
-        for_each_index(4 * std::thread::hardware_concurrency(), compute_piece, 1);
-        const auto taken = static_cast<double>(host_nanoseconds() - start);
-        best = std::max(best, static_cast<double>(operations) / taken);
-    } while (host_nanoseconds() < end);
-    return best;
 }
 
 } // namespace lineatlas

@@ -41,6 +41,9 @@ class Implementation final : public OpenClBackend {
     const OpenClDevice& device() const override { return device_; }
     const cl::Context& context() const override { return context_->context(); }
     const cl::CommandQueue& queue() const override { return queue_; }
+    const KernelResources& resources(const Kernel& kernel) override {
+        return or_retire([&]() -> const KernelResources& { return programs_->resources(kernel); });
+    }
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
         return make_buffer(std::max<std::size_t>(bytes, 16), nullptr);

@@ -6,6 +6,7 @@
 #include "device_memory.hpp"
 #include "devices.hpp"
 #include "lineatlas/compute_device.hpp"
+#include "lineatlas/kernel_profile.hpp"
 #include "tuning.hpp"
 
 namespace lineatlas::compute {
@@ -27,6 +28,8 @@ class OpenClBackend : public Device {
     virtual const OpenClDevice& device() const = 0;
     virtual const cl::Context& context() const = 0;
     virtual const cl::CommandQueue& queue() const = 0;
+    /// What the driver tells of a kernel. Builds it if it was not built.
+    virtual const KernelResources& resources(const Kernel& kernel) = 0;
 };
 
 /// Kernels on `device`. `context_properties`, if not empty, ties the context to a GL context: pairs

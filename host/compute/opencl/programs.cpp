@@ -7,6 +7,7 @@
 
 #include "build_error.hpp"
 #include "guarded.hpp"
+#include "kernel_resources.hpp"
 #include "quirks.hpp"
 #include "shared_context.hpp"
 #include "sources/sources.hpp"
@@ -136,10 +137,19 @@ Programs::Programs(const OpenClDevice& device, std::shared_ptr<SharedContext> co
     : device_(device), context_(std::move(context)), cache_(std::move(cache)),
       options_(options_for(device, options)), kernels_(all_kernels().size()) {}
 
+namespace {
+
+/// The key of a kernel's program among those of one user.
+std::string own_key(const Kernel& kernel) {
+    return std::string{kernel.stage} + ' ' + std::string{kernel.defines};
+}
+
+} // namespace
+
 BuiltKernel& Programs::built(const Kernel& kernel) {
     BuiltKernel& own = kernels_[kernel.index];
     if (own.kernel() != nullptr) return own;
-    const std::string key = std::string{kernel.stage} + ' ' + std::string{kernel.defines};
+    const std::string key = own_key(kernel);
     auto program = programs_.find(key);
     if (program == programs_.end()) {
         const ProgramRecipe recipe = recipe_of(kernel, options_);
@@ -160,6 +170,37 @@ BuiltKernel& Programs::built(const Kernel& kernel) {
         }
     });
     return own;
+}
+
+const KernelResources& Programs::resources(const Kernel& kernel) {
+    BuiltKernel& own = built(kernel);
+    if (!own.resources) {
+        own.resources = told_of(own.kernel, device_.device);
+        own.resources->registers = registers(kernel, programs_.at(own_key(kernel)));
+        if (own.resources->registers > 0) {
+            own.resources->resident = registers_of_processor(device_) / own.resources->registers;
+        }
+    }
+    return *own.resources;
+}
+
+std::uint32_t Programs::registers(const Kernel& kernel, const cl::Program& program) {
+    try {
+        if (const std::string option = register_option(device_); !option.empty()) {
+            const auto [log, is_new] = logs_.try_emplace(own_key(kernel));
+            if (is_new) {
+                const ProgramRecipe recipe = recipe_of(kernel, options_ + ' ' + option);
+                log->second = build_program(device_, context_->context(), recipe)
+                                  .getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device);
+            }
+            return registers_in_log(log->second, kernel.name);
+        }
+        if (!device_.is_gpu) return 0; // other drivers build more for a binary
+        const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+        return binaries.empty() ? 0 : registers_in_code_object(binaries.front(), kernel.name);
+    } catch (const cl::Error&) {
+        return 0; // the driver does not tell
+    }
 }
 
 std::vector<unsigned char> binary_of(const OpenClDevice& device, const Kernel& kernel) {

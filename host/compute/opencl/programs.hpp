@@ -9,6 +9,7 @@
 
 #include "devices.hpp"
 #include "lineatlas/compute_device.hpp"
+#include "lineatlas/kernel_profile.hpp"
 #include "program_cache.hpp"
 
 namespace lineatlas::compute {
@@ -19,6 +20,7 @@ class SharedContext;
 struct BuiltKernel {
     cl::Kernel kernel{};
     std::size_t largest_group = 0; ///< its largest work-group, by the registers that it needs
+    std::optional<KernelResources> resources{}; ///< once asked for
 };
 
 /// The input of building a program.
@@ -60,13 +62,19 @@ class Programs {
     /// make_program() does.
     BuiltKernel& built(const Kernel& kernel);
 
+    /// What the driver tells of a built kernel. Asked for once.
+    const KernelResources& resources(const Kernel& kernel);
+
   private:
+    std::uint32_t registers(const Kernel& kernel, const cl::Program& program);
+
     OpenClDevice device_;
     std::shared_ptr<SharedContext> context_;
     std::optional<ProgramCache> cache_;
     std::string options_;
     std::vector<BuiltKernel> kernels_;            ///< by Kernel::index
     std::map<std::string, cl::Program> programs_; ///< by file and defines
+    std::map<std::string, std::string> logs_;     ///< with registers, likewise
 };
 
 } // namespace lineatlas::compute

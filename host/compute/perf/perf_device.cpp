@@ -1,0 +1,136 @@
+#include "perf_device.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "compute/opencl/opencl_backend.hpp"
+#include "core/host_clock.hpp"
+#include "lineatlas/error.hpp"
+
+namespace lineatlas::compute {
+namespace {
+
+/// Nanoseconds that all threads of this process have run.
+std::uint64_t cpu_nanoseconds() {
+    constexpr std::uint64_t second = 1'000'000'000;
+    timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<std::uint64_t>(time.tv_sec) * second +
+           static_cast<std::uint64_t>(time.tv_nsec);
+}
+
+class PerfDevice final : public Device {
+  public:
+    PerfDevice(std::unique_ptr<Device> device, std::span<const PerfEvent> events,
+               std::vector<PerfCounts>& counts)
+        : device_(std::move(device)), opencl_(dynamic_cast<OpenClBackend*>(device_.get())),
+          events_(events), counts_(counts) {}
+
+    std::string description() const override { return device_->description() + ", perf"; }
+    const Tuning& tuning() const override { return device_->tuning(); }
+
+    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
+        return device_->allocate(bytes);
+    }
+    std::uint64_t largest_buffer() const override { return device_->largest_buffer(); }
+    std::uint64_t free_memory() const override { return device_->free_memory(); }
+    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
+        return device_->wrap(memory);
+    }
+    void begin_host_access(Buffer& buffer) override { device_->begin_host_access(buffer); }
+    void end_host_access(Buffer& buffer) override { device_->end_host_access(buffer); }
+    void upload(Buffer& buffer, std::span<const std::byte> data, std::size_t offset) override {
+        device_->upload(buffer, data, offset);
+    }
+    void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
+        device_->download(buffer, data, offset);
+    }
+    void copy(Buffer& from, Buffer& to, std::size_t bytes) override {
+        device_->copy(from, to, bytes);
+    }
+    void clear(Buffer& buffer, std::size_t bytes) override { device_->clear(buffer, bytes); }
+
+    void launch(const Launch& launch) override {
+        device_->finish(); // what was submitted before is not counted
+        const std::vector<std::uint64_t> before = events_.read();
+        const std::uint64_t cpu_time = cpu_nanoseconds();
+        const std::int64_t start = host_nanoseconds();
+        device_->launch(launch);
+        device_->finish();
+        PerfCounts own{.kernel = std::string{launch.kernel.name},
+                       .time = static_cast<std::uint64_t>(host_nanoseconds() - start)};
+        if (is_cpu()) set_events(own, before, cpu_time);
+        if (opencl_ != nullptr) own.resources = opencl_->resources(launch.kernel);
+        counts_.push_back(std::move(own));
+    }
+
+    void flush() override { device_->flush(); }
+    void finish() override { device_->finish(); }
+
+  private:
+    bool is_cpu() const { return opencl_ == nullptr || opencl_->device().is_cpu; }
+
+    /// Sets what was counted since `before` and `cpu_time` were read.
+    void set_events(PerfCounts& own, const std::vector<std::uint64_t>& before,
+                    std::uint64_t cpu_time) const {
+        own.cpu_time = cpu_nanoseconds() - cpu_time;
+        const std::vector<std::uint64_t> after = events_.read();
+        if (after.empty()) return;
+        own.cycles = after[0] - before[0];
+        own.instructions = after[1] - before[1];
+        own.cache_misses = after[2] - before[2];
+    }
+
+    std::unique_ptr<Device> device_;
+    OpenClBackend* opencl_; ///< the same device; null if it is not OpenCL's
+    PerfEvents events_;
+    std::vector<PerfCounts>& counts_;
+};
+
+} // namespace
+
+std::unique_ptr<Device> make_measured_device(std::string_view name) {
+    const std::string_view kind = name.empty() ? "cpp" : name.substr(0, name.find(':'));
+    if (kind == "cpp" || kind == "opencl") return make_device(kind, kind == name ? "" : name);
+    throw UsageError("\"" + std::string{name} + "\" is not measured; cpp and OpenCL devices are");
+}
+
+std::unique_ptr<Device> make_perf_device(std::unique_ptr<Device> device,
+                                         std::span<const PerfEvent> events,
+                                         std::vector<PerfCounts>& counts) {
+    return std::make_unique<PerfDevice>(std::move(device), events, counts);
+}
+
+} // namespace lineatlas::compute
+
+namespace lineatlas {
+namespace {
+
+std::vector<PerfCounts>& all_counts() {
+    static std::vector<PerfCounts> counts;
+    return counts;
+}
+
+std::unique_ptr<compute::Device> make_perf(std::string_view device) {
+    return compute::make_perf_device(compute::make_measured_device(device), compute::cpu_events(),
+                                     all_counts());
+}
+
+} // namespace
+
+void register_perf_device() {
+    const auto& kinds = compute::device_kinds();
+    if (std::ranges::find(kinds, "perf", &compute::DeviceKind::name) != kinds.end()) return;
+    compute::register_device({"perf", "kernels of another device, one by one", make_perf});
+}
+
+std::vector<PerfCounts> take_perf_counts() {
+    return std::exchange(all_counts(), {});
+}
+
+std::string why_no_perf_events() {
+    return compute::PerfEvents{compute::cpu_events()}.refusal();
+}
+
+} // namespace lineatlas
