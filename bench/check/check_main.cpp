@@ -51,7 +51,8 @@ bool run_part(Part part, Clock::time_point end, const Places& places, Json& repo
         report["parts"].push_back({{"name", part.name}, {"outcome", "left out"}});
         return false;
     }
-    const fs::path written = places.scratch / "part";
+    const fs::path written =
+        places.scratch / (part.kind == PartKind::tests ? "part.xml" : "part.json");
     fs::remove(written);
     if (part.kind != PartKind::output) part.arguments.push_back(output_option(part.kind, written));
     ChildResult result;

@@ -71,7 +71,7 @@ TEST_F(Check, SurvivesPartsThatFailCrashOrAreMissing) {
     EXPECT_EQ(part("sharing_modes_test")["output"], "boom\n");
     EXPECT_EQ(part("interop copy")["outcome"], "crashed (Segmentation fault)");
     EXPECT_NE(part("compute_test")["outcome"], "ok") << "it is not there";
-    EXPECT_EQ(result()["parts"].size(), 24U);
+    EXPECT_EQ(result()["parts"].size(), 26U);
     EXPECT_NE(markdown().find("| interop copy | crashed (Segmentation fault) |"),
               std::string::npos);
 }
@@ -127,6 +127,27 @@ END)");
          {"| ship | SAhi | 2 | 0.75 | depth 0.5, atlas 0.125 |", "| one | copy | 64 | 0.25 | 0.5 |",
           "| scan/ours | 87 | 400 | 0.5 |", "| frames ship | ok |"})
         EXPECT_NE(text.find(row), std::string::npos) << row << " in " << text;
+}
+
+TEST_F(Check, TellsWhyKernelsTakeTheirTime) {
+    script("bin/lineatlas", R"(for last; do :; done
+cat > "${last#--kernels=}" <<'END'
+{"roofs": {"copy_gb_per_s": 2000.0, "arithmetic_gop_per_s": 30000.0},
+ "kernels": [{"stage": "atlas", "kernel": "atlas", "launches": 10, "median_us": 87.25,
+              "p10_us": 80.0, "p90_us": 95.5, "bytes": 4e6, "operations": 1.5e9, "gb_per_s": 100.0,
+              "gop_per_s": 15000.0, "bound": "arithmetic", "cores": null, "largest_group": 256,
+              "group_multiple": 32, "local_bytes": 4096, "private_bytes": 0, "registers": 72,
+              "resident_items": null}]}
+END)");
+    EXPECT_EQ(run("--part 'bounds atlas'"), 0);
+    EXPECT_EQ(part("bounds atlas")["figures"]["kernels"][0]["registers"], 72);
+    const std::string text = markdown();
+    for (const char* line :
+         {"## Why kernels take their time: a frame by atlas\n",
+          "A copy moves 2e+03 GB/s; the device does 3e+04 Gop/s.\n",
+          "| atlas | 87.2 | 80 | 95.5 | 10 | 4 | 5 | 1.5e+03 | 50 | arithmetic |  | 4096 | 0 | 32 "
+          "| 256 | 72 |  |\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << " in " << text;
 }
 
 TEST_F(Check, ShowsPicturesOfADeviceAndOfCppBesideEachOther) {

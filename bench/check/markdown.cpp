@@ -136,6 +136,44 @@ void add_interop(Document& document, const Json& parts) {
     }
 }
 
+/// A number as a share of another one, in percent; "" if one of both is missing.
+std::string share_of(const Json& json, const char* name, const Json& roof) {
+    const Json& value = member(json, name);
+    if (!value.is_number() || !roof.is_number() || roof <= 0) return "";
+    return fmt::format("{:.3g}", 100 * value.get<double>() / roof.get<double>());
+}
+
+void add_bounds(Document& document, const Json& parts) {
+    for (const Json& part : parts) {
+        const std::string name = text_of(part, "name");
+        const Json& figures = member(part, "figures");
+        if (!name.starts_with("bounds ") || !figures.is_object()) continue;
+        const Json& roofs = member(figures, "roofs");
+        document.heading("Why kernels take their time: a frame by " + name.substr(7));
+        document.line(fmt::format("A copy moves {} GB/s; the device does {} Gop/s.\n",
+                                  number_of(roofs, "copy_gb_per_s"),
+                                  number_of(roofs, "arithmetic_gop_per_s")));
+        document.table({"kernel", "us", "10 %", "90 %", "launches", "MB", "% of a copy", "Mop",
+                        "% of the device", "bound by", "cores", "local bytes", "private bytes",
+                        "multiple", "largest group", "registers", "resident items"});
+        const auto millions = [](const Json& kernel, const char* key) {
+            const Json& value = member(kernel, key);
+            return value.is_number() ? fmt::format("{:.3g}", value.get<double>() * 1e-6) : "";
+        };
+        for (const Json& kernel : member(figures, "kernels"))
+            document.row({text_of(kernel, "kernel"), number_of(kernel, "median_us"),
+                          number_of(kernel, "p10_us"), number_of(kernel, "p90_us"),
+                          text_of(kernel, "launches"), millions(kernel, "bytes"),
+                          share_of(kernel, "gb_per_s", member(roofs, "copy_gb_per_s")),
+                          millions(kernel, "operations"),
+                          share_of(kernel, "gop_per_s", member(roofs, "arithmetic_gop_per_s")),
+                          text_of(kernel, "bound"), number_of(kernel, "cores"),
+                          text_of(kernel, "local_bytes"), text_of(kernel, "private_bytes"),
+                          text_of(kernel, "group_multiple"), text_of(kernel, "largest_group"),
+                          text_of(kernel, "registers"), text_of(kernel, "resident_items")});
+    }
+}
+
 void add_kernels(Document& document, const Json& parts) {
     for (const Json& figures : figures_of(parts, "kernels")) {
         document.heading("Kernels at 4,194,304 elements: microseconds, and speed beside a copy");
@@ -192,6 +230,7 @@ void write_markdown(const std::filesystem::path& path, const Json& report) {
     add_outcomes(document, parts);
     add_frames(document, parts);
     add_interop(document, parts);
+    add_bounds(document, parts);
     add_kernels(document, parts);
     add_pictures(document, parts);
     add_output(document, parts);

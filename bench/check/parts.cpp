@@ -6,7 +6,8 @@ using std::chrono::seconds;
 
 std::string output_option(PartKind kind, const std::filesystem::path& file) {
     const std::string name = file.string();
-    return kind == PartKind::tests ? "--gtest_output=xml:" + name : "--json=" + name;
+    if (kind == PartKind::tests) return "--gtest_output=xml:" + name;
+    return (kind == PartKind::kernels ? "--kernels=" : "--json=") + name;
 }
 
 std::vector<Part> all_parts(const Places& places) {
@@ -68,6 +69,14 @@ std::vector<Part> all_parts(const Places& places) {
                                          "--depth",  depth,  "--strokes", strokes};
         return drawn("forms " + method + " " + depth + " " + strokes, options, seconds{60});
     };
+    const auto bounds = [&](const std::string& method) {
+        Part part = drawn(
+            "bounds " + method,
+            {"--method", method, "--size", "1024x768", "--repeat", "10", "--compute", "opencl"},
+            seconds{100});
+        part.kind = PartKind::kernels;
+        return part;
+    };
     return {
         {"devices", PartKind::devices, "bin/lineatlas", {"devices", "--wait", "15"}, seconds{100}},
         picture("picture", ship, ""),
@@ -84,6 +93,8 @@ std::vector<Part> all_parts(const Places& places) {
         profiled("atlas", "compute", "raster"),
         profiled("atlas", "compute", "compute"),
         profiled("exact", "auto", "auto"),
+        bounds("atlas"),
+        bounds("exact"),
         interop("gl-sharing"),
         interop("external-memory"),
         interop("host-pointer"),

@@ -7,9 +7,9 @@
 
 namespace lineatlas::bench {
 
-/// The result of a part: the answer of `lineatlas devices`, figures of a benchmark, results of
-/// tests, or only the text that the part prints.
-enum class PartKind { devices, figures, tests, output };
+/// The result of a part: the answer of `lineatlas devices`, figures of a benchmark, of the kernels
+/// of a frame (`draw --kernels`), results of tests, or only the text that the part prints.
+enum class PartKind { devices, figures, kernels, tests, output };
 
 /// One program that a check runs.
 struct Part {

@@ -66,7 +66,8 @@ Json describe_part(const Part& part, const ChildResult& result, const std::files
               {"exit_code", result.exit_code},
               {"seconds", result.took.count()}};
     if (part.kind == PartKind::tests) json["tests"] = summary_of_tests(file);
-    if (part.kind == PartKind::figures) json["figures"] = read_json(file);
+    if (part.kind == PartKind::figures || part.kind == PartKind::kernels)
+        json["figures"] = read_json(file);
     if (outcome(part, result) != "ok" || part.kind == PartKind::output)
         json["output"] = end_of(result.output);
     return json;
