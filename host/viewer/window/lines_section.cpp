@@ -17,7 +17,7 @@ constexpr std::array<const char*, line_kind_names.size()> labels{
     "Intersections", "Sections",     "Hatching",  "Ridges",      "Valleys",
     "Tangent edges", "Centre lines", "Trails"};
 
-constexpr std::array<const char*, line_kind_names.size()> what{
+constexpr auto what = std::to_array<const char*>({
     "Edges where faces bend",
     "Edges with a face on one side alone",
     "Edges between two materials",
@@ -27,7 +27,12 @@ constexpr std::array<const char*, line_kind_names.size()> what{
     "Borders of cuts",
     "Lines on the faces of cuts",
     "Where scans and sculptures bulge most",
-    "Where scans and sculptures are hollow most"};
+    "Where scans and sculptures are hollow most",
+    "Edges where a face goes over into another without a bend",
+    "Axes of what is round",
+    "Ways of parts that are moved apart",
+});
+static_assert(what.size() == line_kind_names.size());
 
 /// A row with width and colour of a kind.
 bool pen_row(Ui& ui, std::string_view kind) {
