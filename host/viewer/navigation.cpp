@@ -28,6 +28,16 @@ double distance_of(const View& view) {
     return glm::distance(glm::dvec3{view.eye}, glm::dvec3{view.target});
 }
 
+/// Whether a view has a direction, as far as its numbers can tell. Eye and target are floats: too
+/// near to each other they are one point, and too far away they are infinite.
+bool has_direction(const View& view) {
+    constexpr double nearest = 1e-5;  // of the distance to the origin
+    constexpr double farthest = 1e18; // its square is a float, too
+    const double reach =
+        std::max(glm::length(glm::dvec3{view.eye}), glm::length(glm::dvec3{view.target}));
+    return distance_of(view) > nearest * reach && reach < farthest;
+}
+
 /// Half the picture's height as a length in the model, at `depth` ahead of the eye.
 double half_height(const View& view, double depth) {
     const double parallel = distance_of(view);
@@ -184,9 +194,16 @@ void Navigation::advance(double seconds) {
     view_ = between(glide_->from, glide_->to, t * t * (3 - 2 * t));
 }
 
+/// Moves the camera, unless it would have no direction there.
+void Navigation::place(glm::dvec3 eye, glm::dvec3 target) {
+    View view = view_;
+    view.eye = eye;
+    view.target = target;
+    if (has_direction(view)) view_ = view;
+}
+
 void Navigation::move(glm::dvec3 way) {
-    view_.eye = glm::dvec3{view_.eye} + way;
-    view_.target = glm::dvec3{view_.target} + way;
+    place(glm::dvec3{view_.eye} + way, glm::dvec3{view_.target} + way);
 }
 
 void Navigation::turn_about(glm::dvec3 pivot, glm::dvec2 turn) {
@@ -200,8 +217,7 @@ void Navigation::turn_about(glm::dvec3 pivot, glm::dvec2 turn) {
     const glm::dquat rotation =
         glm::angleAxis(turn.x, vertical) * glm::angleAxis(angle - wanted, axes.right);
     const glm::dvec3 eye = pivot + rotation * (glm::dvec3{view_.eye} - pivot);
-    view_.target = eye + rotation * (glm::dvec3{view_.target} - glm::dvec3{view_.eye});
-    view_.eye = eye;
+    place(eye, eye + rotation * (glm::dvec3{view_.target} - glm::dvec3{view_.eye}));
 }
 
 void Navigation::orbit(glm::dvec3 pivot, glm::dvec2 turn) {
@@ -224,8 +240,8 @@ void Navigation::dolly(glm::dvec3 to, double factor) {
     glide_.reset();
     if (factor > 1) to = no_nearer_than_target(view_, to);
     const glm::dvec3 sight = glm::dvec3{view_.target} - glm::dvec3{view_.eye};
-    view_.eye = to + factor * (glm::dvec3{view_.eye} - to);
-    view_.target = glm::dvec3{view_.eye} + factor * sight;
+    const glm::dvec3 eye = to + factor * (glm::dvec3{view_.eye} - to);
+    place(eye, eye + factor * sight);
 }
 
 void Navigation::fly(glm::dvec3 way) {

@@ -69,6 +69,7 @@ class Navigation {
     };
     void turn_about(glm::dvec3 pivot, glm::dvec2 turn);
     void move(glm::dvec3 way);
+    void place(glm::dvec3 eye, glm::dvec3 target);
 
     View view_{};
     std::optional<Glide> glide_;

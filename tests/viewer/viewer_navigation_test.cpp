@@ -155,6 +155,21 @@ TEST(Navigation, GlidesWithoutRollingAndArrivesExactly) {
     EXPECT_EQ(navigation.view().target, goal.target);
 }
 
+TEST(Navigation, HoweverFarOneTurnsTheWheelThereIsAWayBack) {
+    for (const double factor : {0.88, 1 / 0.88}) {
+        Navigation navigation = at({3, 2, 5});
+        for (int i = 0; i < 2000; ++i) navigation.dolly({0.5, 0.25, 0}, factor);
+        navigation.orbit({0.5, 0.25, 0}, {0.1, 0.1});
+        navigation.fly({1, 1, 1});
+        const View there = navigation.view();
+        const auto distance = [](const View& view) { return glm::distance(view.eye, view.target); };
+        EXPECT_GT(distance(there), 0);
+        EXPECT_TRUE(std::isfinite(distance(there)));
+        for (int i = 0; i < 100; ++i) navigation.dolly({0.5, 0.25, 0}, 1 / factor);
+        EXPECT_GT(std::abs(std::log(distance(navigation.view()) / distance(there))), 10);
+    }
+}
+
 TEST(Navigation, StandardViewsLookAlongTheAxesOfTheModel) {
     using viewer::StandardView;
     const glm::vec3 y{0, 1, 0}, z{0, 0, 1};
