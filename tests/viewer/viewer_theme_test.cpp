@@ -102,6 +102,13 @@ TEST_F(ViewerTheme, NamesHaveAnyLetters) {
     app_.input().on_character(0x2192);
     hand_.rest();
     EXPECT_TRUE(has(0x2192)) << "one that is typed";
+    ImGui::SetClipboardText("\u2211");
+    hand_.click("parts.search");
+    hand_.press(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
+    hand_.key(GLFW_KEY_V, GLFW_MOD_CONTROL);
+    hand_.release(GLFW_KEY_LEFT_CONTROL);
+    EXPECT_EQ(app_.ui().part_search, "\u2211");
+    EXPECT_TRUE(has(0x2211)) << "one that is pasted";
     if (std::system("fc-list :lang=zh | grep -q .") != 0) GTEST_SKIP() << "needs a Chinese font";
     for (const unsigned letter : {0x6F22U, 0x5B57U}) EXPECT_TRUE(has(letter)) << letter;
 }

@@ -176,6 +176,7 @@ bool field(Ui& ui, const char* id, const char* text, std::string& value, const c
     label(ui, text);
     const bool entered = ImGui::InputText((std::string{"##"} + id).c_str(), &value,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
+    shown(ui, value); // letters that were pasted
     ui.spots.note(id);
     tip(ui, help);
     return entered;
@@ -269,7 +270,7 @@ void preview(Ui& ui) {
     if (!drawn.problem.empty()) {
         ImGui::SetCursorScreenPos(corner);
         ImGui::PushStyleColor(ImGuiCol_Text, theme::colors().alarm);
-        ImGui::TextWrapped("%s", drawn.problem.c_str());
+        ImGui::TextWrapped("%s", shown(ui, drawn.problem));
         ImGui::PopStyleColor();
         return;
     }

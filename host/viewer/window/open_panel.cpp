@@ -74,7 +74,7 @@ bool draw_row(Ui& ui, const Row& row, bool chosen, bool scrolls_here) {
     if (chosen && scrolls_here) ImGui::SetScrollHereY();
     if (!recent) return clicked;
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", row.path.parent_path().c_str());
+    ImGui::TextDisabled("%s", shown(ui, row.path.parent_path().string()));
     return clicked;
 }
 

@@ -202,6 +202,7 @@ void draw_parts_section(Ui& ui) {
     if (!section(ui, "parts", fmt::format("{} parts", model->parts.all().size()).c_str())) return;
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##search", "Search", &ui.part_search);
+    shown(ui, ui.part_search); // letters that were pasted
     ui.spots.note("parts.search");
     tip(ui, "Parts with these letters in their names");
     const std::vector<std::uint32_t> listed = rows(ui, model->parts);

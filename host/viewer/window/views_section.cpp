@@ -11,7 +11,8 @@ void draw_views_section(Ui& ui) {
     for (std::size_t i = 0; i < kept.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const float room = ImGui::GetContentRegionAvail().x - ui.points(80);
-        if (ImGui::Selectable(kept[i].name.c_str(), false, 0, {room, 0})) session.go_to_bookmark(i);
+        if (ImGui::Selectable(shown(ui, kept[i].name), false, 0, {room, 0}))
+            session.go_to_bookmark(i);
         ui.spots.note("view:" + kept[i].name);
         tip(ui, "A click goes there");
         ImGui::SameLine();

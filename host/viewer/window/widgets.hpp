@@ -91,9 +91,10 @@ inline void label(const Ui& ui, const char* text) {
 inline void tip(Ui& ui, const char* text) {
     ui.spots.note_tip();
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string whole = text;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ui.points(measures::tip));
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(shown(ui, whole));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -200,6 +201,7 @@ inline bool search_field(Ui& ui, SearchState& state, const char* id, const char*
     const bool entered =
         ImGui::InputTextWithHint((std::string{"##"} + id).c_str(), hint, &state.searched,
                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    shown(ui, state.searched); // letters that were pasted
     ui.spots.note(id);
     if (before != state.searched) state.chosen = 0;
     return entered;
@@ -292,7 +294,7 @@ template <class Items, class Name, class Chosen, class Choose>
 void list_of_choices(Ui& ui, const char* id, const std::string& preview, const Items& items,
                      const Name& name_of_item, const Chosen& is_chosen, const Choose& choose,
                      const char* help, ImGuiComboFlags flags = 0) {
-    const bool open = ImGui::BeginCombo((std::string{"##"} + id).c_str(), preview.c_str(),
+    const bool open = ImGui::BeginCombo((std::string{"##"} + id).c_str(), shown(ui, preview),
                                         flags | ImGuiComboFlags_HeightLargest);
     if (!open) {
         ui.spots.note(id);
