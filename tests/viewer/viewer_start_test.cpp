@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <imgui_internal.h>
+
 #include "viewer_support.hpp"
 
 namespace lineatlas::test {
@@ -135,6 +137,23 @@ TEST_F(ViewerStart, EveryControlSaysWhatItDoes) {
     hand_.click("export.print");
     hand_.click("export.sheet");
     expect_tips("a sheet");
+}
+
+TEST_F(ViewerStart, ATipDoesNotCoverWhatIsFoundWhileOneTypes) {
+    std::ofstream{path("m.obj")} << box("Base", {-2, 0, 0}, 1) + box("Bolt M8", {2, 0, 0}, 9);
+    hand_.drop(path("m.obj"));
+    const auto shows_tip = [] {
+        return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [](const auto* window) {
+            return (window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active;
+        });
+    };
+    hand_.move(hand_.middle_of("parts.search"));
+    EXPECT_TRUE(shows_tip());
+    hand_.click("parts.search");
+    hand_.type("bolt");
+    EXPECT_FALSE(shows_tip());
+    hand_.move({300, 300});
+    EXPECT_TRUE(hand_.has("part:Bolt M8"));
 }
 
 TEST_F(ViewerStart, TheListOfPartsGrowsWithItsDivider) {

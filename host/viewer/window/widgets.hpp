@@ -90,6 +90,7 @@ inline void label(const Ui& ui, const char* text) {
 /// A tip that says what the last item does.
 inline void tip(Ui& ui, const char* text) {
     ui.spots.note_tip();
+    if (ImGui::IsItemActive()) return; // a tip would cover what is found while one types
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     const std::string whole = text;
     ImGui::BeginTooltip();
