@@ -62,6 +62,9 @@ void view(Arguments& arguments, ImageWriter& writer) {
     viewer::Application application{arguments.options, writer};
     viewer::Session& session = application.session();
     session.recent = viewer::RecentFiles{viewer::recent_files_store()};
+    std::error_code failure; // then the panel says "."
+    const std::filesystem::path here = std::filesystem::current_path(failure);
+    if (!failure) application.ui().folder = here.string();
     session.read_limits = arguments.read.limits();
     if (arguments.up != "auto") session.up = parse_up("--up", arguments.up);
     if (!arguments.style.empty()) session.use_style(arguments.style);
