@@ -54,11 +54,11 @@ Placed place_on_page(const ExportOptions& options, const ExportedDrawing& drawin
     const glm::ivec2 size{glm::max(glm::round(room / pixel), 1.0)};
     sheet = lay_out(size, page, margin, Unit::mm);
     const View& seen = drawing.view;
-    const std::vector<glm::vec3>& points = drawing.model.framed;
+    const std::vector<glm::vec3>& points = drawing.model->framed;
     const View whole = frame_points_from({glm::normalize(seen.eye - seen.target), seen.up}, points,
                                          size, seen.fov_y, Projection::orthographic);
     const View view =
-        view_to_scale(whole, options.scale, unit_of(drawing.model), sheet.scale, size, points);
+        view_to_scale(whole, options.scale, unit_of(*drawing.model), sheet.scale, size, points);
     return {view, size, sheet};
 }
 
@@ -72,10 +72,11 @@ std::optional<Placed> placed(const ExportOptions& options, const ExportedDrawing
 /// print_dpi.
 SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& drawing,
                         const std::optional<Placed>& place) {
-    SavedPicture picture{.model = drawing.model,
+    SavedPicture picture{.model = *drawing.model,
                          .view = drawing.view,
                          .size = drawing.window,
-                         .options = drawing.options};
+                         .options = drawing.options,
+                         .go_on = drawing.go_on};
     if (!place) {
         if (is_pixels(options)) picture.size *= options.pixels;
         return picture;
@@ -108,7 +109,7 @@ SheetLayout sheet_of(const ExportOptions& options, const Model& model) {
 }
 
 ExportPage page_with_sheet(const ExportOptions& options, const ExportedDrawing& drawing) {
-    const SheetLayout layout = sheet_of(options, drawing.model);
+    const SheetLayout layout = sheet_of(options, *drawing.model);
     ExportPage page{.size = layout.size, .scale = layout.scale};
     for (const SheetView& view : layout.views)
         page.views.push_back({.camera = view.camera,
@@ -121,12 +122,15 @@ ExportPage page_with_sheet(const ExportOptions& options, const ExportedDrawing& 
 
 void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
                 const std::filesystem::path& path, Renderer& renderer) {
-    const Model& model = drawing.model;
+    const Model& model = *drawing.model;
     const FrameOptions frame = options_of_paths(drawing.options);
     const bool is_cut = options.purpose == Purpose::laser;
     const bool is_drawn = options.purpose == Purpose::plotter;
     const auto find = [&](const SheetView& view) {
-        return find_paths(renderer, model.lines, view.camera, frame, !is_cut && !is_drawn);
+        SeenLines seen =
+            find_paths(renderer, model.lines, view.camera, frame, !is_cut && !is_drawn);
+        drawing.go_on();
+        return seen;
     };
     const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
                                                 drawing.options.style, {.mesh = model.mesh.get()});
@@ -187,7 +191,7 @@ ExportPage lay_out(const ExportOptions& options, const ExportedDrawing& drawing)
     if (options.sheet) return page_with_sheet(options, drawing);
     const std::optional<Placed> place = placed(options, drawing);
     const SavedPicture picture = picture_of(options, drawing, place);
-    const Bounds& bounds = drawing.model.lines.bounds;
+    const Bounds& bounds = drawing.model->lines.bounds;
     PageView view{.camera = make_camera(picture.view, picture.size, bounds),
                   .style = picture.options.style};
     ExportPage page{.size = picture.size, .scale = options.scale};

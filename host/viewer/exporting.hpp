@@ -2,6 +2,8 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,12 +54,13 @@ std::string scale_of_text(std::string text);
 /// Whether the drawing has a page. A picture for the screen and JSON have none.
 bool is_on_paper(const ExportOptions& options);
 
-/// The drawing to be written. Its members must outlive it.
+/// The drawing to be written.
 struct ExportedDrawing {
-    const Model& model;
+    std::shared_ptr<const Model> model;
     View view;         ///< the current view
     glm::ivec2 window; ///< pixels of the view in the window
     FrameOptions options;
+    std::function<void()> go_on{}; ///< SavedPicture::go_on
 };
 
 /// A view on a page.

@@ -50,11 +50,13 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     frame.svg.title = picture.model.source.stem();
     frame.json.origin = picture.model.origin;
     frame.description = description;
-    VectorOutput output{std::move(frame), picture.model.lines,
-                        [&](const Camera& seen) -> SeenLines {
-                            return find_paths(renderer, picture.model.lines, seen, picture.options,
-                                              !picture.plotter);
-                        }};
+    VectorOutput output{
+        std::move(frame), picture.model.lines, [&](const Camera& seen) -> SeenLines {
+            SeenLines found =
+                find_paths(renderer, picture.model.lines, seen, picture.options, !picture.plotter);
+            if (picture.go_on) picture.go_on();
+            return found;
+        }};
     output.draw(camera, path);
     output.finish();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,8 @@ struct SavedPicture {
     bool plotter = false;  ///< paths in the order of a pen, without a paper of their own
     bool fit_arcs = false; ///< of paths
     float dpi = 0;         ///< resolution of pixels; 0: not given
+    /// Called before the file is written. May throw.
+    std::function<void()> go_on{};
 };
 
 /// Saves pixels or paths, by extension. Throws Error.

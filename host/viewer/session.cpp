@@ -61,12 +61,17 @@ Session::Session(const DeviceOptions& device, ImageWriter& writer, SharedContext
 }
 
 Session::~Session() {
-    outdated_ = true;
+    outdated_ = ends_ = true;
+    drawing_.wait();
+    for (const Task& task : tasks_) // files that are to be saved
+        if (!task.begun && task.what == saving_work) attempt([&] { drawing_.run(task.work); });
     drawing_.run([&] {
+        tasks_.clear();
         picture_.reset();
         shown_ = {};
         spare_ = {};
         preview_ = {};
+        preview_before_ = {};
         sketch_.reset();
         renderer_.reset();
     });
@@ -210,6 +215,7 @@ glm::dvec3 Session::origin() const {
 void Session::load_pens(const Style& style) {
     const auto read = [&](const auto& path) { return read_image_isolated(path, read_limits); };
     const auto images = read_pen_images(style, {}, read);
+    if (images.empty()) return; // the window need not wait for the drawing thread
     drawing_.run([&] {
         for (const auto& [mark, image] : images) renderer_->set_pen_image(mark, image);
     });
@@ -243,15 +249,36 @@ bool Session::use_device(const DeviceOptions& device) {
 }
 
 void Session::show(std::shared_ptr<Model> model) {
-    const std::shared_ptr<Model> before = model_;
-    const bool done = attempt([&] {
-        drawing_.run([&] { renderer_->set_lines(model->lines); });
-        model_ = model;
-        sketched_.reset();
-    });
-    if (!done) return;
+    const bool is_other = model_ != nullptr && model_->whole != model->whole;
+    const bool renews = is_other && is_much_smaller(model->lines, model_.get());
+    const bool is_new = model_ == nullptr || is_other;
+    const auto work = [this, model, is_new, renews, device = device_,
+                       options = frame_options(settings, 0)] {
+        renderer_->set_lines(model->lines);
+        if (renews) {
+            renderer_->set_device(device);
+            sketch_.reset();
+        }
+        // The first time on a computer this takes many seconds.
+        const auto progress = [this](float done) {
+            work_done_ = done;
+            return !ends_;
+        };
+        if (is_new) renderer_->prepare(options, progress);
+    };
+    const auto then = [this, model](bool worked) {
+        if (worked) return take_shown(model);
+        forget_awaited();
+        if (model_ != nullptr) settings.shown = model_->shown;
+    };
+    add_task({.what = is_new ? "Getting ready to draw" : "", .work = work, .then = then});
+}
+
+/// Shows a model whose lines the renderer has.
+void Session::take_shown(const std::shared_ptr<Model>& model) {
+    const std::shared_ptr<Model> before = std::exchange(model_, model);
+    sketched_.reset();
     const bool new_parts = before == nullptr || before->whole != model_->whole;
-    if (new_parts && is_much_smaller(model_->lines, before.get())) use_device(device_);
     if (new_parts) {
         for (const std::filesystem::path& file : model_->source.files) recent.add(file);
         read_times_ = write_times_of(model_->source.files);
@@ -290,6 +317,7 @@ void Session::show(std::shared_ptr<Model> model) {
     }
     for (const std::string& note : model_->notes) messages.notice(note);
     timings.clear();
+    timings_due_ = 0;
     changed();
 }
 
@@ -371,21 +399,6 @@ Camera Session::camera() const {
     return make_camera(navigation.view(), size_, model_->lines.bounds);
 }
 
-bool Session::save_picture(const std::filesystem::path& path) {
-    if (model_ == nullptr) return false;
-    return attempt([&] {
-        drawing_.run([&] {
-            save({.model = *model_,
-                  .view = navigation.goal(),
-                  .size = size_,
-                  .options = still_options(settings)},
-                 path, *renderer_, writer_);
-        });
-        messages.notice("Saved " + path.string());
-        changed(); // the renderer's last frame is not that of the window any more
-    });
-}
-
 bool Session::save_style(const std::filesystem::path& path) {
     return attempt([&] {
         save_text(write_style(settings.style), path);
@@ -420,8 +433,11 @@ void Session::resize(glm::ivec2 pixels) {
 void Session::advance(double seconds) {
     messages.advance(seconds);
     navigation.advance(seconds);
-    outdated_ = stale_ || (drawn_view_ && !same(*drawn_view_, navigation.view()));
-    std::optional<Loader::Result> result = loader.take();
+    outdated_ =
+        stale_ || !tasks_.empty() || (drawn_view_ && !same(*drawn_view_, navigation.view()));
+    if (!tasks_.empty()) return; // one of them may take a model to be shown
+    std::optional<Loader::Result> result;
+    if (!drawing()) result = loader.take();
     if (!result) {
         restart_stale_job(seconds);
         return show_wanted();

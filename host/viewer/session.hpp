@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -31,6 +32,9 @@ namespace lineatlas::viewer {
 
 /// Whether two views are the same.
 bool same(const View& a, const View& b);
+
+/// Session::work() while a file is saved, which can be cancelled.
+inline constexpr const char* saving_work = "Saving";
 
 /// Everything that a viewer shows and lets one change, without its window: model, camera, settings,
 /// device, and the pictures of the last frame. Actions of a person never throw: `messages` reports
@@ -137,11 +141,18 @@ class Session {
     /// A length of the model with its unit, if its file says one.
     std::string length_text(double length) const;
 
-    /// Saves a picture or paths, by extension. Returns false if that failed, as do the others
-    /// below.
-    bool save_picture(const std::filesystem::path& path);
-    /// Saves a drawing for paper, a plotter or a laser, or a sheet of several views.
-    bool export_to(const std::filesystem::path& path, const ExportOptions& options);
+    /// Saves a picture or paths, by extension, under a free name of `folder` that is made of the
+    /// model's name. The drawing thread does that, and a message tells when it is done.
+    void save_picture(const std::filesystem::path& folder, const std::string& extension);
+    /// Likewise saves a drawing for paper, a plotter or a laser, or a sheet of several views.
+    void export_to(const std::filesystem::path& path, const ExportOptions& options);
+    /// What the drawing thread does that people wait for, such as saving_work; empty: nothing, or
+    /// nothing that takes long.
+    std::string work() const;
+    /// The share of it that is done; below 0: not known.
+    float work_done() const { return work_done_; }
+    /// Gives up all files that are being saved. Nothing is written.
+    void cancel_work();
     /// The page that export_to() would write, with its views as pictures.
     struct Preview {
         ExportPage page{};
@@ -149,11 +160,14 @@ class Session {
         std::string problem{};
     };
     /// The preview as it was drawn last, and the options of the next one. `pixels`: length of the
-    /// page's longer side. draw_preview() draws it anew if preview_due().
+    /// page's longer side. draw_preview() begins to draw it anew if preview_due().
     const Preview& preview(const ExportOptions& options, int pixels);
     const std::string& preview_problem() const { return preview_.problem; }
+    /// Whether the preview is of the wanted options.
+    bool has_preview() const;
     bool preview_due() const;
     void draw_preview();
+    /// Saves the style. Returns false if that failed, as do the others below.
     bool save_style(const std::filesystem::path& path);
     bool save_camera(const std::filesystem::path& path);
     /// Saves the frames of `timings` in Trace Event Format.
@@ -173,13 +187,11 @@ class Session {
     enum class Move { turntable, kept_views };
     void start_recording(Move move, const std::filesystem::path& folder, int frames);
     const std::optional<Recording>& recording() const { return recording_; }
-    /// Draws the next picture of a recording. After the last one the recording ends, and its folder
-    /// is returned.
-    std::optional<std::filesystem::path> record_picture();
+    /// Begins the next picture of a recording, unless something else is being drawn. After the last
+    /// one the recording ends, and a video is made of it if `ffmpeg` is installed.
+    void record_picture();
     /// Ends a recording. Pictures that were drawn stay.
     void cancel_recording();
-    /// Makes a video of a recording, if `ffmpeg` is installed.
-    void make_video_of(const std::filesystem::path& folder);
 
     void resize(glm::ivec2 pixels);
     glm::ivec2 size() const { return size_; }
@@ -194,11 +206,14 @@ class Session {
     bool stale() const;
     /// Begins the next picture. take_picture() shows it.
     void draw();
-    /// Whether a picture is being drawn.
-    bool drawing() const { return picture_ != nullptr; }
+    /// Whether the drawing thread is at work. No picture is begun before it is done.
+    bool drawing() const { return picture_ != nullptr || !tasks_.empty(); }
     /// Waits at most `longest` for the picture that is being drawn. Shows it if it is done, and
     /// returns whether it was.
     bool take_picture(std::chrono::milliseconds longest = std::chrono::milliseconds{0});
+    /// Ends the task of the drawing thread that is done, and begins the next one. Returns whether
+    /// there is something new to show.
+    bool take_task();
     /// Whether the picture is at rest and could become exact.
     bool can_refine() const;
     /// Makes the next picture exact, unless something moves or changes before.
@@ -228,7 +243,24 @@ class Session {
     std::uint64_t frames_drawn() const { return frames_drawn_; }
 
   private:
+    /// Work of the drawing thread beside pictures.
+    struct Task {
+        std::string what{};           ///< Session::work()
+        std::function<void()> work{}; ///< throws Error
+        /// Called on the window's thread when `work` is done. `worked`: it has not thrown.
+        std::function<void(bool worked)> then{};
+        std::exception_ptr failure{};
+        bool begun = false;
+        std::chrono::steady_clock::time_point added = std::chrono::steady_clock::now();
+    };
+    void add_task(Task task);
+    /// Adds one that saves a file. `save` gets the function that throws Cancelled once it should
+    /// not go on, and returns the path.
+    using SaveFile = std::function<std::filesystem::path(const std::function<void()>& go_on)>;
+    void add_saving(SaveFile save);
+    void make_video_of(const std::filesystem::path& folder);
     void show(std::shared_ptr<Model> model);
+    void take_shown(const std::shared_ptr<Model>& model);
     void show_wanted();
     void restart_stale_job(double seconds);
     void forget_awaited();
@@ -295,8 +327,13 @@ class Session {
     std::filesystem::path session_path_;
     glm::ivec2 size_{0, 0};
     Picture shown_;
-    std::unique_ptr<Picture> picture_;  ///< that is being drawn
-    Canvases spare_;                    ///< of the picture before, for the next one
+    std::unique_ptr<Picture> picture_; ///< that is being drawn
+    std::deque<Task> tasks_;           ///< the first may have begun; a picture goes before it
+    std::atomic<float> work_done_{-1}; ///< of the first
+    std::atomic<bool> ends_{false};    ///< the session; long work stops
+    std::shared_ptr<std::atomic<bool>> saving_cancelled_ =
+        std::make_shared<std::atomic<bool>>(false); ///< of the tasks that save now
+    Canvases spare_;                                ///< of the picture before, for the next one
     std::atomic<bool> outdated_{false}; ///< the picture that is being drawn; it may stop
     std::string description_;           ///< of the device, when a picture was drawn last
     std::filesystem::path first_camera_;
@@ -321,10 +358,11 @@ class Session {
     };
     static bool shows_same(const Previewed& a, const Previewed& b);
     ExportedDrawing exported() const;
-    void make_preview();
-    std::optional<Previewed> preview_wanted_, preview_drawn_;
-    Preview preview_;
-    std::uint64_t revision_ = 0; ///< of settings and model
+    static Preview make_preview(const Previewed& wanted, const ExportedDrawing& drawing,
+                                Renderer& renderer);
+    std::optional<Previewed> preview_wanted_, preview_begun_, preview_drawn_;
+    Preview preview_, preview_before_; ///< the thread frees the latter
+    std::uint64_t revision_ = 0;       ///< of settings and model
     bool measuring_ = false;
     std::optional<glm::dvec3> measured_from_;
     bool refine_due_ = false;

@@ -1,29 +1,45 @@
 // A Session as a drawing for others: on a page, to scale, for a plotter.
 #include <algorithm>
+#include <utility>
 
 #include <glm/common.hpp>
 
 #include "core/style_lengths.hpp"
-#include "freed_memory.hpp"
+#include "saving.hpp"
 #include "session.hpp"
 #include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
 
 ExportedDrawing Session::exported() const {
-    return {.model = *model_,
+    return {.model = model_,
             .view = navigation.goal(),
             .window = glm::max(size_, 1),
-            .options = still_options(settings)};
+            .options = still_options(settings),
+            .go_on = {}};
 }
 
-bool Session::export_to(const std::filesystem::path& path, const ExportOptions& options) {
-    if (model_ == nullptr) return false;
-    return attempt([&] {
-        drawing_.run([&] { save(options, exported(), path, *renderer_, writer_); });
-        give_freed_memory_back(); // a page has many more pixels than the window
-        messages.notice("Saved " + path.string());
-        changed(); // the renderer's last frame is not that of the window any more
+void Session::save_picture(const std::filesystem::path& folder, const std::string& extension) {
+    if (model_ == nullptr) return;
+    add_saving([this, folder, extension, drawing = exported()](const auto& go_on) {
+        const std::filesystem::path path =
+            free_path(folder, drawing.model->source.stem(), extension);
+        save({.model = *drawing.model,
+              .view = drawing.view,
+              .size = drawing.window,
+              .options = drawing.options,
+              .go_on = go_on},
+             path, *renderer_, writer_);
+        return path;
+    });
+}
+
+void Session::export_to(const std::filesystem::path& path, const ExportOptions& options) {
+    if (model_ == nullptr) return;
+    add_saving([this, path, options, drawing = exported()](const auto& go_on) mutable {
+        drawing.go_on = go_on;
+        save(options, drawing, path, *renderer_, writer_);
+        return path;
     });
 }
 
@@ -38,34 +54,50 @@ const Session::Preview& Session::preview(const ExportOptions& options, int pixel
 }
 
 bool Session::preview_due() const {
-    if (model_ == nullptr || !preview_wanted_ || stale() || navigation.gliding()) return false;
-    return !preview_drawn_ || !shows_same(*preview_drawn_, *preview_wanted_);
+    if (model_ == nullptr || !preview_wanted_ || drawing() || stale() || navigation.gliding())
+        return false;
+    return !preview_begun_ || !shows_same(*preview_begun_, *preview_wanted_);
+}
+
+bool Session::has_preview() const {
+    return preview_drawn_ && preview_wanted_ && shows_same(*preview_drawn_, *preview_wanted_);
 }
 
 void Session::draw_preview() {
-    preview_drawn_ = preview_wanted_;
-    drawing_.run([&] { make_preview(); });
-    stale_ = true; // the renderer's last frame was another one
+    preview_begun_ = preview_wanted_;
+    const auto drawn = std::make_shared<Preview>();
+    const auto work = [this, drawn, wanted = *preview_wanted_, drawing = exported()] {
+        preview_before_ = {}; // on the thread that has made it
+        *drawn = make_preview(wanted, drawing, *renderer_);
+        glFinish(); // after it the window's context sees the pictures
+    };
+    const auto then = [this, drawn, wanted = *preview_wanted_](bool) {
+        preview_drawn_ = wanted;
+        preview_before_ = std::exchange(preview_, std::move(*drawn));
+        stale_ = true; // the renderer's last frame was another one
+    };
+    add_task({.work = work, .then = then});
 }
 
 /// On the drawing thread.
-void Session::make_preview() {
-    preview_ = {};
+Session::Preview Session::make_preview(const Previewed& wanted, const ExportedDrawing& drawing,
+                                       Renderer& renderer) {
+    Preview preview;
     try {
-        preview_.page = lay_out(preview_wanted_->options, exported());
-        const glm::dvec2 size = preview_.page.size;
-        const double scale = preview_wanted_->pixels / std::max(size.x, size.y);
-        FrameOptions options = still_options(settings);
+        preview.page = lay_out(wanted.options, drawing);
+        const glm::dvec2 size = preview.page.size;
+        const double scale = wanted.pixels / std::max(size.x, size.y);
+        FrameOptions options = drawing.options;
         options.steady = false;
         constexpr std::size_t most = 20'000; // with more edges people would wait too long
-        if (model_->lines.segments.size() < most)
+        if (drawing.model->lines.segments.size() < most)
             options.method = Method::exact;
         else if (options.method == Method::exact)
             options.method = Method::atlas;
-        for (const PageView& view : preview_.page.views) {
+        for (const PageView& view : preview.page.views) {
             Camera camera = view.camera;
             camera.size = glm::max(glm::ivec2{glm::round(scale * (view.high - view.low))}, 1);
-            options.style = about_origin(view.style, origin());
+            options.style = about_origin(view.style, drawing.model->origin);
             if (options.style.made_for == 0)
                 multiply_lengths(options.style, static_cast<float>(camera.size.y) /
                                                     static_cast<float>(view.camera.size.y));
@@ -73,13 +105,13 @@ void Session::make_preview() {
             canvas->clear({options.style.paper.color, 1});
             for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
                 glTextureParameteri(canvas->texture(), filter, GL_LINEAR);
-            renderer_->draw(camera, options, canvas->framebuffer());
-            preview_.pictures.push_back(std::move(canvas));
+            renderer.draw(camera, options, canvas->framebuffer());
+            preview.pictures.push_back(std::move(canvas));
         }
-        glFinish(); // after it the window's context sees the pictures
     } catch (const std::exception& error) {
-        preview_ = {.problem = in_words_of_the_tool(error.what())};
+        preview = {.problem = in_words_of_the_tool(error.what())};
     }
+    return preview;
 }
 
 } // namespace lineatlas::viewer

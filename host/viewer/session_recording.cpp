@@ -23,27 +23,27 @@ void Session::start_recording(Move move, const std::filesystem::path& folder, in
     });
 }
 
-std::optional<std::filesystem::path> Session::record_picture() {
-    if (!recording_) return {};
+void Session::record_picture() {
+    if (!recording_ || drawing()) return;
     FrameOptions options = frame_options(settings, 0);
     options.steady = false;
-    const bool drawn = attempt([&] {
-        drawing_.run([&] {
-            save({.model = *model_, .view = recording_->view(), .size = size_, .options = options},
-                 recording_->path(), *renderer_, writer_);
-        });
-    });
-    changed(); // the renderer's last frame is not that of the window any more
-    if (!drawn) {
-        recording_.reset();
-        return {};
-    }
-    recording_->next();
-    if (!recording_->done()) return {};
-    const std::filesystem::path folder = recording_->folder();
-    messages.notice(fmt::format("Saved {} pictures in {}", recording_->count(), folder.string()));
-    recording_.reset();
-    return folder;
+    const auto work = [this, model = model_, view = recording_->view(), size = size_, options,
+                       path = recording_->path()] {
+        save({.model = *model, .view = view, .size = size, .options = options}, path, *renderer_,
+             writer_);
+    };
+    const auto then = [this](bool worked) {
+        changed(); // the renderer's last frame is not that of the window any more
+        if (!recording_) return;
+        if (worked) recording_->next();
+        if (worked && !recording_->done()) return;
+        const Recording done = *std::exchange(recording_, std::nullopt);
+        if (!worked) return;
+        messages.notice(
+            fmt::format("Saved {} pictures in {}", done.count(), done.folder().string()));
+        make_video_of(done.folder());
+    };
+    add_task({.work = work, .then = then});
 }
 
 void Session::cancel_recording() {
@@ -54,10 +54,12 @@ void Session::cancel_recording() {
 }
 
 void Session::make_video_of(const std::filesystem::path& folder) {
-    attempt([&] {
-        const std::filesystem::path video = make_video(folder);
-        if (!video.empty()) messages.notice("Saved " + video.string());
-    });
+    const auto video = std::make_shared<std::filesystem::path>();
+    const auto then = [this, video](bool worked) {
+        if (worked && !video->empty()) messages.notice("Saved " + video->string());
+    };
+    add_task(
+        {.what = "Making a video", .work = [=] { *video = make_video(folder); }, .then = then});
 }
 
 } // namespace lineatlas::viewer

@@ -90,6 +90,7 @@ class HeldViewer : public testing::Test {
     }
 
     bool registered_ = registered();
+    TemporaryFolder folder_;
     ImageWriter writer_;
     viewer::Application app_{{.size = {1280, 800}, .device = {.compute = "held"}, .scale = 1},
                              writer_};
@@ -150,11 +151,82 @@ TEST_F(HeldViewer, WhatNeedsTheDeviceWaitsForThePicture) {
     EXPECT_TRUE(session().messages.all().empty());
 }
 
+TEST_F(HeldViewer, TheWindowAnswersWhileAFileIsSaved) {
+    app_.ui().folder = folder_.path().string();
+    HeldDevice::held = true;
+    hand_.press(GLFW_KEY_E, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    step_until([&] { return hand_.has("work.cancel"); });
+    const bool hidden = session().settings.style.hidden;
+    hand_.press(GLFW_KEY_H);
+    hand_.press(GLFW_KEY_E, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT); // waits for the first
+    app_.step(0);
+    EXPECT_NE(session().settings.style.hidden, hidden) << "keys are heard";
+    EXPECT_TRUE(HeldDevice::held);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house.png"));
+    HeldDevice::held = false;
+    hand_.rest();
+    EXPECT_FALSE(hand_.has("work.cancel"));
+    const Image first = read_image(folder_.path() / "house.png");
+    const Image second = read_image(folder_.path() / "house-2.png");
+    EXPECT_NE(first.pixels, second.pixels) << "each is as it was when it was asked for";
+}
+
+TEST_F(HeldViewer, SavingCanBeCancelled) {
+    app_.ui().folder = folder_.path().string();
+    for (const char* extension : {"svg", "png"}) {
+        HeldDevice::held = true;
+        session().save_picture(folder_.path(), extension);
+        session().save_picture(folder_.path(), extension);
+        step_until([&] { return hand_.has("work.cancel"); });
+        hand_.press(GLFW_KEY_ESCAPE);
+        app_.step(0);
+        HeldDevice::held = false;
+        hand_.rest();
+        EXPECT_EQ(session().work(), "");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house.svg"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house-2.png"));
+    session().save_picture(folder_.path(), "svg");
+    hand_.rest();
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house.svg")) << "the next is saved";
+}
+
+TEST_F(HeldViewer, AnotherModelWaitsForThePictureAndTheWindowDoesNot) {
+    orbit_and_hold();
+    session().open_scene("clevis");
+    while (viewer::Loader::any_thread()) app_.step(0.01);
+    std::thread{[] { // ends a test that fails
+        std::this_thread::sleep_for(std::chrono::seconds{5});
+        HeldDevice::held = false;
+    }}
+        .detach();
+    for (int i = 0; i < 10; ++i) app_.step(0);
+    EXPECT_TRUE(HeldDevice::held);
+    EXPECT_EQ(session().model()->source.name(), "house");
+    HeldDevice::held = false;
+    hand_.rest();
+    EXPECT_EQ(session().model()->source.name(), "clevis");
+}
+
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
     orbit_and_hold();
     app_.window().close();
     app_.run();
     EXPECT_TRUE(session().drawing()); // ~HeldViewer() lets it go
+}
+
+TEST(ViewerEnd, WhatIsToBeSavedIsSavedBeforeTheWindowIsGone) {
+    const TemporaryFolder folder;
+    {
+        ImageWriter writer;
+        viewer::Application app{{.size = {600, 400}, .scale = 1, .scripted = true}, writer};
+        ViewerDriver{app}.open_scene("clevis");
+        app.session().save_picture(folder.path(), "svg");
+        app.session().save_picture(folder.path(), "svg");
+        app.step(0); // the first begins
+    }
+    for (const char* name : {"clevis.svg", "clevis-2.svg"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
 }
 
 /// A context that there is not.

@@ -135,21 +135,14 @@ void Application::step(double longest_wait) {
         frames_due_ = std::max(frames_due_, 1);
     }
     advance();
-    if (session_.recording()) {
-        show_soon();
-        if (const auto folder = session_.record_picture())
-            ui_.do_later("Making a video",
-                         [this, folder = *folder] { session_.make_video_of(folder); });
-    }
+    session_.record_picture();
     if (const std::optional<double> seconds = seconds_to_refine(); seconds && *seconds <= 0) {
         session_.refine();
     }
     if (ui_.later) frames_due_ = std::max(frames_due_, 1); // which says so
-    if (shows_moved_picture()) frames_due_ = std::max(frames_due_, 1);
-    if (frames_due_ == 0 && shows_preview()) {
-        session_.draw_preview();
-        show_soon();
-    }
+    if (shows_moved_picture() || session_.recording() || !session_.work().empty())
+        frames_due_ = std::max(frames_due_, 1);
+    if (frames_due_ == 0 && shows_preview()) session_.draw_preview();
     if (frames_due_ == 0 && !session_.stale()) return;
     frames_due_ = std::max(frames_due_ - 1, 0);
     const bool announced = ui_.later.has_value();
@@ -169,9 +162,10 @@ void Application::advance() {
         std::min(std::chrono::duration<double>(now - std::exchange(last_, now)).count(), longest);
     const std::size_t messages = session_.messages.all().size();
     const Model* model = session_.model();
+    if (session_.take_picture()) note_picture();
+    if (session_.take_task()) show_soon();
     mouse_.advance(seconds, shift_);
     session_.advance(seconds);
-    if (session_.take_picture()) note_picture();
     if (!ImGui::IsAnyItemActive() && !mouse_.dragging() && !mouse_.flying()) session_.note_step();
     if (model != session_.model())
         window_.set_title(session_.model()->source.name() + " - lineatlas");

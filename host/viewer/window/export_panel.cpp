@@ -192,8 +192,7 @@ std::filesystem::path path_of(const Ui& ui) {
 void save(Ui& ui) {
     if (ui.exporting.name.empty()) return;
     ui.panel = Panel::none;
-    ui.do_later("Saving", [&session = ui.session, path = path_of(ui),
-                           options = ui.exporting.options] { session.export_to(path, options); });
+    ui.session.export_to(path_of(ui), ui.exporting.options);
 }
 
 bool settings(Ui& ui) {
@@ -274,7 +273,11 @@ void preview(Ui& ui) {
         ImGui::PopStyleColor();
         return;
     }
-    if (drawn.pictures.empty()) return;
+    if (drawn.pictures.empty()) {
+        ImGui::SetCursorScreenPos(corner);
+        ImGui::TextDisabled("The page is being drawn ...");
+        return;
+    }
     const glm::dvec2 size = drawn.page.size;
     const float scale =
         std::min(space.x / static_cast<float>(size.x), space.y / static_cast<float>(size.y));
@@ -315,7 +318,9 @@ void draw_export_panel(Ui& ui) {
     ImGui::EndChild();
     std::error_code failure;
     const bool replaces = std::filesystem::exists(path_of(ui), failure);
-    const bool possible = !ui.exporting.name.empty() && ui.session.preview_problem().empty();
+    // Without a preview of these options yet, saving itself tells a problem.
+    const bool possible = !ui.exporting.name.empty() &&
+                          (!ui.session.has_preview() || ui.session.preview_problem().empty());
     ImGui::BeginDisabled(!possible);
     wanted |= toggle(ui, "export.save", replaces ? "Replace the file" : "Save", true);
     ImGui::EndDisabled();

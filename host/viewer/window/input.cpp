@@ -48,6 +48,8 @@ void Application::press_escape() {
         ui_.panel = Panel::none;
     else if (session_.recording())
         session_.cancel_recording();
+    else if (session_.work() == saving_work)
+        session_.cancel_work();
     else if (session_.loader.busy())
         session_.cancel_loading();
     else if (session_.measuring())

@@ -152,9 +152,16 @@ void status(Ui& ui, Area canvas) {
                   plate(ui, text, canvas.low + canvas.size - ui.points(14), {1, 1}));
 }
 
-void at_work(const Ui& ui, Area canvas) {
+/// Draws what people wait for. What the drawing thread does goes on beside the window.
+void at_work(Ui& ui, Area canvas) {
+    const std::string work = ui.session.work();
     begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
-    ImGui::Text("%s ...", ui.later->first.c_str());
+    ImGui::Text("%s ...", ui.later ? ui.later->first.c_str() : work.c_str());
+    if (!ui.later) progress_bar(ui, ui.session.work_done());
+    if (work == saving_work) {
+        if (button(ui, "work.cancel", "Cancel")) ui.session.cancel_work();
+        tip(ui, "Nothing is written (Esc)");
+    }
     ImGui::End();
 }
 
@@ -174,7 +181,7 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
         recording(ui, canvas);
     else if (ui.session.loader.shows_progress())
         loading(ui, canvas);
-    else if (ui.later)
+    else if (ui.later || !ui.session.work().empty())
         at_work(ui, canvas);
     else if (ui.session.model() == nullptr && ui.panel == Panel::none)
         draw_start_panel(ui, canvas);

@@ -157,11 +157,11 @@ void save_as(Ui& ui, SavedKind kind) {
                                                             : session.session_path());
         return;
     case SavedKind::png:
-        return ui.do_later("Saving",
-                           [&session, path = path("png")] { session.save_picture(path); });
+        session.save_picture(ui.folder, "png");
+        return;
     case SavedKind::svg:
-        return ui.do_later("Saving",
-                           [&session, path = path("svg")] { session.save_picture(path); });
+        session.save_picture(ui.folder, "svg");
+        return;
     case SavedKind::style:
         session.save_style(path("toml"));
         return;
