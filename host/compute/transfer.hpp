@@ -26,6 +26,13 @@ std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
     return values;
 }
 
+/// Fills `values` with the first values of a buffer. Waits for the device.
+template <class T>
+void read_into(std::vector<T>& values, Device& device, Buffer& buffer, std::size_t count) {
+    values.resize(count);
+    device.download(buffer, std::as_writable_bytes(std::span{values}));
+}
+
 /// One value of a buffer. Waits for the device.
 template <class T>
 T read_one(Device& device, Buffer& buffer, std::size_t index = 0) {

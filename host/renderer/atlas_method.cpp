@@ -228,14 +228,12 @@ void AtlasMethod::sample_raster(Frame& frame) {
 void AtlasMethod::sample_item_buffer(Frame& frame) {
     frame.clock("item_buffer", [&] {
         if (!item_buffer_) item_buffer_.emplace();
-        ItemBufferSampler::Lines lines;
-        lines.offsets = compute::read_back<std::uint32_t>(device_, offsets_.compute(),
-                                                          std::size_t{segment_count_} + 1);
+        ItemBufferSampler::Lines& lines = item_buffer_->lines();
+        compute::read_into(lines.offsets, device_, offsets_.compute(),
+                           std::size_t{segment_count_} + 1);
         if (lines.offsets.back() > sample_capacity_) return; // grow() sees to it
-        lines.clipped =
-            compute::read_back<ClippedSegment>(device_, clipped_.compute(), segment_count_);
-        const std::vector<std::uint8_t> seen = item_buffer_->sample(frame, lines);
-        alpha_.upload(std::as_bytes(std::span{seen}));
+        compute::read_into(lines.clipped, device_, clipped_.compute(), segment_count_);
+        alpha_.upload(std::as_bytes(item_buffer_->sample(frame)));
     });
 }
 

@@ -151,47 +151,46 @@ class LineSearch {
 
 } // namespace
 
-void ItemBufferSampler::fill_lines(const Lines& lines, glm::ivec2 size) {
+void ItemBufferSampler::fill_lines(glm::ivec2 size) {
     std::uint32_t count = 0;
-    for (std::size_t i = 0; i < lines.clipped.size(); ++i) count += lines.samples(i) > 0 ? 1U : 0U;
+    for (std::size_t i = 0; i < lines_.clipped.size(); ++i)
+        count += lines_.samples(i) > 0 ? 1U : 0U;
     auto next = pass_.map_lines(count).begin();
-    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
-        if (lines.samples(i) > 0) *next++ = RasterLine{lines.clipped[i], size}.ends(size);
+    for (std::size_t i = 0; i < lines_.clipped.size(); ++i) {
+        if (lines_.samples(i) > 0) *next++ = RasterLine{lines_.clipped[i], size}.ends(size);
     }
 }
 
-std::vector<std::uint8_t> ItemBufferSampler::walk(const Lines& lines,
-                                                  const gl::ItemImages& images) {
-    std::vector<std::uint8_t> alpha;
-    alpha.reserve(lines.offsets.back());
+void ItemBufferSampler::walk(const gl::ItemImages& images) {
+    alpha_.clear();
+    alpha_.reserve(lines_.offsets.back());
     const bool partial = images.layers > 1;
     std::uint32_t id = 0;
-    for (std::size_t i = 0; i < lines.clipped.size(); ++i) {
-        const std::uint32_t l = lines.samples(i);
+    for (std::size_t i = 0; i < lines_.clipped.size(); ++i) {
+        const std::uint32_t l = lines_.samples(i);
         if (l == 0) continue;
-        const RasterLine line{lines.clipped[i], images.size};
+        const RasterLine line{lines_.clipped[i], images.size};
         const LineSearch search{images, ++id, line};
         const float inverse_l = 1.0F / static_cast<float>(l);
         for (std::uint32_t j = 0; j < l; ++j) {
             const float from = static_cast<float>(j) * inverse_l;
             const float to = static_cast<float>(j + 1) * inverse_l;
-            alpha.push_back(partial ? search.share_seen(from, to) : search.is_seen(from, to));
+            alpha_.push_back(partial ? search.share_seen(from, to) : search.is_seen(from, to));
         }
     }
-    return alpha;
 }
 
-std::vector<std::uint8_t> ItemBufferSampler::sample(const Frame& frame, const Lines& lines) {
+std::span<const std::uint8_t> ItemBufferSampler::sample(const Frame& frame) {
     const auto scale = static_cast<int>(frame.probes_per_axis());
     const gl::ItemBufferShape shape{.viewport = frame.camera.size,
                                     .scale = scale,
                                     .layers = scale > 1 ? gl::ItemBufferPass::max_layers : 1};
-    fill_lines(lines, shape.size());
+    fill_lines(shape.size());
     const gl::ItemImages images =
         pass_.draw(frame.scene.gl_triangles(), frame.camera.clip_from_world(), shape);
-    std::vector<std::uint8_t> alpha = walk(lines, images);
+    walk(images);
     pass_.unmap_images();
-    return alpha;
+    return alpha_;
 }
 
 } // namespace lineatlas

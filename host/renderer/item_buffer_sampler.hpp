@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "frame.hpp"
@@ -35,14 +36,19 @@ class ItemBufferSampler {
 
         std::uint32_t samples(std::size_t i) const { return offsets[i + 1] - offsets[i]; }
     };
-    /// The visibility of all samples of the frame, a byte each.
-    std::vector<std::uint8_t> sample(const Frame& frame, const Lines& lines);
+    /// What sample() looks at, to be filled before it.
+    Lines& lines() { return lines_; }
+    /// The visibility of all samples of the frame, a byte each. Valid until the next call.
+    std::span<const std::uint8_t> sample(const Frame& frame);
 
   private:
-    void fill_lines(const Lines& lines, glm::ivec2 size);
-    static std::vector<std::uint8_t> walk(const Lines& lines, const gl::ItemImages& images);
+    void fill_lines(glm::ivec2 size);
+    void walk(const gl::ItemImages& images);
 
     gl::ItemBufferPass pass_;
+    // Kept for their memory.
+    Lines lines_;
+    std::vector<std::uint8_t> alpha_;
 };
 
 } // namespace lineatlas

@@ -487,7 +487,7 @@ TEST_F(Embedding, AFrameAllocatesNothingAfterTheFirst) {
     style.filter.overshoot = 4;
     for (const FrameOptions& options :
          {FrameOptions{}, FrameOptions{.forms = {.atlas = StageForm::raster}},
-          FrameOptions{.style = style}, with_depth}) {
+          FrameOptions{.style = style}, with_depth, FrameOptions{.method = Method::item_buffer}}) {
         for (int i = 0; i < 4; ++i) {
             renderer_.draw(cameras[i % 2].camera, options, canvas.framebuffer());
         }
