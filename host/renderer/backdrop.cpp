@@ -22,7 +22,7 @@ gl::Canvas& Backdrop::texels(glm::ivec2 size, GLuint framebuffer) {
 }
 
 void Backdrop::draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen) {
-    if (fill.mode == FillMode::none) return;
+    if (fill.mode == FillMode::none) return forget_fill();
     if (!fill_pass_) fill_pass_.emplace();
     if (!layer_) layer_.emplace();
     frame.clock.gl("fill", [&] {

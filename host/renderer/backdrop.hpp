@@ -25,6 +25,8 @@ class Backdrop {
     void draw_fill(Frame& frame, const Fill& fill, std::span<const gl::TriangleRange> seen);
     /// As above, with the whole model.
     void draw_fill(Frame& frame, const Fill& fill);
+    /// Gives up the memory of fills: the frame has none.
+    void forget_fill() { texels_.reset(); }
     /// Draws the paper's grain, after the strokes. The framebuffer was cleared to the paper's
     /// colour.
     void draw_paper(Frame& frame, const Paper& paper);

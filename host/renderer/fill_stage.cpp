@@ -54,7 +54,7 @@ void FillStage::color(Frame& frame, DepthStage& depth, const PictureTile& tile, 
 }
 
 void FillStage::draw(Frame& frame, DepthStage& depth) {
-    if (frame.options.style.fill.mode == FillMode::none) return;
+    if (frame.options.style.fill.mode == FillMode::none) return frame.backdrop.forget_fill();
     if (!depth.wants_kernels(frame))
         return frame.backdrop.draw_fill(frame, frame.options.style.fill, depth.drawn());
     color(frame, depth, {{0, 0}, frame.camera.size}, {0, 0});
@@ -62,7 +62,7 @@ void FillStage::draw(Frame& frame, DepthStage& depth) {
 }
 
 void FillStage::draw_tile(Frame& frame, DepthStage& depth) {
-    if (frame.options.style.fill.mode == FillMode::none) return;
+    if (frame.options.style.fill.mode == FillMode::none) return frame.backdrop.forget_fill();
     if (!depth.wants_kernels(frame))
         return frame.backdrop.draw_fill(frame, frame.options.style.fill);
     // Pictures, and tiles of them, may be as large as GL can draw. Depth is not kept for all of it.

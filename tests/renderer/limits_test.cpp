@@ -487,6 +487,20 @@ TEST_P(GlLimits, OfMemoryInTheMiddleOfAFrameAreNamed) {
         {&purpose::atlas, &purpose::depth, &purpose::item_buffer, &purpose::spine, &purpose::pen});
 }
 
+TEST_P(GlLimits, AFillByGlGivesItsMemoryBackToTheNextFrameWithoutOne) {
+    const std::unique_ptr<Renderer> renderer = make_renderer();
+    FrameOptions options{.method = Method::opengl};
+    const auto live_after = [&](FillMode mode) {
+        options.style.fill.mode = mode;
+        draw(*renderer, options);
+        return gl_faults().live;
+    };
+    live_after(FillMode::none);
+    const long with_fill = live_after(FillMode::flat);
+    EXPECT_LT(live_after(FillMode::none), with_fill);
+    EXPECT_EQ(live_after(FillMode::flat), with_fill);
+}
+
 TEST_P(GlLimits, OfTheSidesOfTexturesAreWorkedAroundOrNamed) {
     FrameOptions effects = all_effects(Method::atlas);
     effects.intervals = KeptIntervals::none; // intervals need depth that tiles lack
