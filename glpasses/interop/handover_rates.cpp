@@ -123,6 +123,12 @@ void keep(const compute::ProgramCache& cache, const std::string& key, const Loga
     cache.store(key, {reinterpret_cast<const unsigned char*>(file.data()), file.size()});
 }
 
+bool can_keep(const compute::ProgramCache& cache) {
+    constexpr std::string_view key = "hand-overs can be kept";
+    cache.store(key, {});
+    return cache.find(key).has_value();
+}
+
 } // namespace
 
 HandoverRates assumed_rates(SharingMode mode) {
@@ -143,6 +149,7 @@ HandoverRates handover_rates(Sharing& sharing) {
     if (!cache) return assumed_rates(mode);
     const std::string key = key_of(opencl->device(), mode);
     if (const auto known = kept(*cache, key)) return rates_of(*known, mode);
+    if (!can_keep(*cache)) return assumed_rates(mode);
     keep(*cache, key, measure(sharing));
     const auto written = kept(*cache, key); // or what another process has measured meanwhile
     return written ? rates_of(*written, mode) : assumed_rates(mode);

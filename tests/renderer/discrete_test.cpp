@@ -166,3 +166,8 @@ TEST_F(Discrete, TheExactMethodHandsOverItsRunsAlone) {
 
 } // namespace
 } // namespace lineatlas::test
+    {
+        const EnvironmentVariable nowhere{"XDG_CACHE_HOME", "/dev/null"};
+        EXPECT_FALSE(rates().measured) << "where nothing can be kept";
+        EXPECT_EQ(take_counts().copies, 0U);
+    }
