@@ -71,6 +71,7 @@ void add_machine(Document& document, const Json& report) {
         for (const char* what : {"kernels", "frames"})
             if (device.contains(what)) answer(what, device[what]);
         for (const auto& [mode, json] : member(device, "modes").items()) answer(mode, json);
+        if (device.contains("forms")) answer("forms", device["forms"]);
     }
 }
 

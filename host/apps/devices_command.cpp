@@ -88,9 +88,7 @@ nlohmann::ordered_json show_device(const std::vector<compute::OpenClDevice>& dev
         const std::string_view name = interop::name_of(mode);
         json["modes"][std::string{name}] = show(name, probe_mode(index, mode, limit));
     }
-    const std::string forms = probe_forms(index, limit).reason;
-    print_output(fmt::format("    {:<16} {}\n", "forms", forms));
-    json["forms"] = forms;
+    json["forms"] = show("forms", probe_forms(index, limit));
     return json;
 }
 
