@@ -74,7 +74,8 @@ KernelPlace place_of(const compute::Tuning& tuning) {
 }
 
 StageTimes stage_times(KernelPlace kernels, bool gl_has_gpu) {
-    // GL on an H100, but its strokes and fills on an H200, or llvmpipe on two cores.
+    // GL on an H100, but its strokes on an H200, or llvmpipe on two cores. docs/devices.md says
+    // which figures are assumed.
     StageTimes times = gl_has_gpu ? StageTimes{.depth = {.gl = 2.65},
                                                .atlas = {.gl = 1.1},
                                                .strokes = {.gl = 0.25},
