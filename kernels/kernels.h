@@ -100,8 +100,9 @@ typedef struct ProjectClipParameters {
     out(uint, arcs)
 
 typedef struct ScanParameters {
-    la_uint n;     /* values; tiles of `scan_tiles_sums` */
-    la_uint chunk; /* values per work-item, of chunks */
+    la_uint n;       /* values; tiles of `scan_tiles_sums` */
+    la_uint chunk;   /* values per work-item, of chunks */
+    la_uint scanned; /* 1: `scan_tiles_sums` has scanned the sums of tiles */
 } ScanParameters;
 #define scan_chunks_reduce_tables(in, out, inout, unordered) in(uint, values) out(uint, sums)
 #define scan_chunks_apply_tables(in, out, inout, unordered) inout(uint, values) in(uint, sums)

@@ -121,29 +121,9 @@ KERNEL(scan_tiles_reduce, ScanParameters) {
     if (get_local_id(0) == 0) sums[get_group_id(0)] = total;
 }
 
-/* Tiles, step 2: one work-group scans the sums of all tiles in place. */
-KERNEL(scan_tiles_sums, ScanParameters) {
-    const uint tiles = args.n;
-    __local uint scratch[SCAN_TILE];
-    const uint lane = (uint)get_local_id(0);
-    uint carry = 0;
-    for (uint begin = 0; begin < tiles; begin += SCAN_TILE) {
-        const uint i = begin + lane;
-        uint total;
-        const uint before = scan_group(i < tiles ? sums[i] : 0, scratch, &total);
-        if (i < tiles) sums[i] = SCAN_ADD(carry, before);
-        carry = SCAN_ADD(carry, total);
-    }
-}
-
-/* Tiles, step 3: every tile scanned, from the sum of the tiles before it. */
-KERNEL(scan_tiles_apply, ScanParameters) {
-    const uint n = args.n;
-    __local uint scratch[SCAN_TILE];
-    uint total;
-    const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;
-    uint sum = scan_group(sum_own(values, n, begin), scratch, &total);
-    sum = SCAN_ADD(sums[get_group_id(0)], sum);
+/* Scans these values in place. Whoever has the last of all also writes the total. sum: of the
+ * values before `begin`. */
+static void scan_own(__global uint* values, const uint n, const uint begin, uint sum) {
     for (uint k = 0; k < SCAN_PER_ITEM; ++k) {
         if (begin + k >= n) break;
         const uint value = values[begin + k];
@@ -151,5 +131,34 @@ KERNEL(scan_tiles_apply, ScanParameters) {
         sum = SCAN_ADD(sum, value);
         if (begin + k + 1 == n) values[n] = sum;
     }
+}
+
+/* Tiles, step 2: one work-group scans the sums of all tiles in place. Few values are scanned by
+ * this step alone. */
+KERNEL(scan_tiles_sums, ScanParameters) {
+    const uint n = args.n;
+    __local uint scratch[SCAN_TILE];
+    uint carry = 0;
+    for (uint begin = 0; begin < n; begin += SCAN_TILE * SCAN_PER_ITEM) {
+        const uint own = begin + (uint)get_local_id(0) * SCAN_PER_ITEM;
+        uint total;
+        const uint before = scan_group(sum_own(sums, n, own), scratch, &total);
+        scan_own(sums, n, own, SCAN_ADD(carry, before));
+        carry = SCAN_ADD(carry, total);
+    }
+}
+
+/* Tiles, step 3: every tile scanned, from the sum of the tiles before it. If there are at most
+ * SCAN_TILE of them, each work-group adds up their sums itself, and step 2 is left out. */
+KERNEL(scan_tiles_apply, ScanParameters) {
+    const uint n = args.n;
+    __local uint scratch[SCAN_TILE];
+    const uint lane = (uint)get_local_id(0), tile = (uint)get_group_id(0);
+    const uint own = lane < tile ? sums[lane] : 0, all = lane == 0 ? sums[tile] : 0;
+    uint first, total;
+    scan_group(args.scanned != 0 ? all : own, scratch, &first);
+    const uint begin = (uint)get_global_id(0) * SCAN_PER_ITEM;
+    const uint before = scan_group(sum_own(values, n, begin), scratch, &total);
+    scan_own(values, n, begin, SCAN_ADD(first, before));
 }
 #endif

@@ -33,9 +33,19 @@ std::uint32_t next_random(std::uint64_t& state) {
 
 TEST_P(Scan, AllSizesAroundTilesAndChunks) {
     std::uint64_t state = 1;
-    for (const std::size_t n :
-         {0U,   1U,   2U,   15U,  16U,   17U,   63U,   64U,    65U,    255U,   256U,
-          257U, 511U, 512U, 513U, 2047U, 2048U, 2049U, 65535U, 65536U, 65537U, (1U << 20U) + 3}) {
+    for (const std::size_t n : {0U,      1U,
+                                2U,      15U,
+                                16U,     17U,
+                                63U,     64U,
+                                65U,     255U,
+                                256U,    257U,
+                                511U,    512U,
+                                513U,    2047U,
+                                2048U,   2049U,
+                                8192U,   8193U,
+                                65535U,  65536U,
+                                65537U,  524288U,
+                                524289U, (1U << 20U) + 3}) {
         std::vector<std::uint32_t> values(n);
         for (std::uint32_t& value : values) value = next_random(state) % 700;
         expect_scan(values);

@@ -75,7 +75,7 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
     if (!tuning_.scan_tiles) {
         const std::uint32_t chunks =
             std::max(tuning_.scan_chunks, divide_up(n, tuning_.longest_chunk));
-        const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks)};
+        const ScanParameters parameters{.n = n, .chunk = divide_up(n, chunks), .scanned = 0};
         const ScanTables tables{values, scan_sums_.with_room(chunks)};
         launch_variant<kernels::scan_chunks_reduce>(variant, chunks, 1, parameters, tables);
         launch_variant<kernels::scan_chunks_apply>(variant, chunks, 1, parameters, tables);
@@ -84,11 +84,20 @@ void Stages::scan(Buffer& values, std::uint32_t n, ScanKind kind) {
     const std::uint32_t group = tuning_.scan_tile;
     const std::uint32_t items = divide_up(n, tuning_.scan_per_item),
                         tiles = divide_up(items, group);
-    const ScanParameters parameters{.n = n, .chunk = 0};
-    const ScanTables tables{values, scan_sums_.with_room(tiles)};
+    ScanParameters parameters{.n = n, .chunk = 0, .scanned = 0};
+    constexpr std::uint32_t few_tiles = 4; // one group is done sooner than three launches
+    if (tiles <= few_tiles) {
+        const ScanTables alone{values, values};
+        launch_variant<kernels::scan_tiles_sums>(variant, group, group, parameters, alone);
+        return;
+    }
+    const ScanTables tables{values, scan_sums_.with_room(tiles + std::size_t{1})};
     launch_variant<kernels::scan_tiles_reduce>(variant, items, group, parameters, tables);
-    launch_variant<kernels::scan_tiles_sums>(variant, group, group, {.n = tiles, .chunk = 0},
-                                             tables);
+    if (tiles > group) {
+        launch_variant<kernels::scan_tiles_sums>(variant, group, group,
+                                                 {.n = tiles, .chunk = 0, .scanned = 0}, tables);
+        parameters.scanned = 1;
+    }
     launch_variant<kernels::scan_tiles_apply>(variant, items, group, parameters, tables);
 }
 
