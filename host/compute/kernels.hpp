@@ -4,7 +4,6 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -57,25 +56,41 @@ Buffer* named_table(const Named& named, const Group& group, const Groups&... gro
         return named_table(named, groups...);
 }
 
-/// named_table() for a launch with tables of its own. Throws std::logic_error if no group has it.
-template <class Named, class... Groups>
-Buffer* table_of_groups(const Named& named, const Groups&... groups) {
-    if constexpr ((std::is_invocable_v<Named, const Groups&> || ...))
-        return named_table(named, groups...);
-    else
-        throw std::logic_error{"a launch lacks a table of its kernel"};
-}
+/// A table that a launch names as its own. `elsewhere`: a group has one of that name, which counts
+/// if the launch names none. If no group has one, a launch without it does not compile.
+template <bool elsewhere>
+class OwnTable {
+  public:
+    OwnTable() requires elsewhere = default;
+    OwnTable(Buffer* table) : table_(table) {}
+    OwnTable(Buffer& table) : table_(&table) {}
+
+    template <class Named, class... Groups>
+    Buffer* or_of(const Named& named, const Groups&... groups) const {
+        if constexpr (elsewhere)
+            return table_ ? *table_ : named_table(named, groups...);
+        else
+            return *table_;
+    }
+
+  private:
+    std::optional<Buffer*> table_;
+};
 
 #define LA_MEMBER(type, name) Buffer& name;
-#define LA_OWN(type, name) std::optional<Buffer*> name{};
+#define LA_HAS(type, name)                                                                         \
+    template <class Group>                                                                         \
+    static constexpr bool has_##name = requires(const Group& group) {                              \
+        address_of(group.name);                                                                    \
+    };
+#define LA_OWN(type, name) OwnTable<(has_##name<Groups> || ...)> name{};
 #define LA_GETTER(name)                                                                            \
     [](const auto& group) -> Buffer* requires requires {                                           \
         address_of(group.name);                                                                    \
     }                                                                                              \
     { return address_of(group.name); }
 #define LA_NAMED(type, name) named_table(LA_GETTER(name), groups...),
-#define LA_OWN_OR_NAMED(type, name)                                                                \
-    own.name ? *own.name : table_of_groups(LA_GETTER(name), groups...),
+#define LA_OWN_OR_NAMED(type, name) own.name.or_of(LA_GETTER(name), groups...),
 #define LA_KERNEL_TYPE(stage, kernel, Parameters_)                                                 \
     struct kernel {                                                                                \
         static constexpr std::string_view name = #kernel;                                          \
@@ -83,6 +98,7 @@ Buffer* table_of_groups(const Named& named, const Groups&... groups) {
         struct Tables {                                                                            \
             kernel##_tables(LA_MEMBER, LA_MEMBER, LA_MEMBER, LA_MEMBER)                            \
         };                                                                                         \
+        kernel##_tables(LA_HAS, LA_HAS, LA_HAS, LA_HAS) template <class... Groups>                 \
         struct Own {                                                                               \
             kernel##_tables(LA_OWN, LA_OWN, LA_OWN, LA_OWN)                                        \
         };                                                                                         \
@@ -92,7 +108,7 @@ Buffer* table_of_groups(const Named& named, const Groups&... groups) {
                 {kernel##_tables(LA_NAMED, LA_NAMED, LA_NAMED, LA_NAMED)});                        \
         }                                                                                          \
         template <class... Groups>                                                                 \
-        static auto list_of(const Own& own, const Groups&... groups) {                             \
+        static auto list_of(const Own<Groups...>& own, const Groups&... groups) {                  \
             return std::to_array<Buffer*>({kernel##_tables(LA_OWN_OR_NAMED, LA_OWN_OR_NAMED,       \
                                                            LA_OWN_OR_NAMED, LA_OWN_OR_NAMED)});    \
         }                                                                                          \
@@ -103,6 +119,7 @@ LA_KERNELS(LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KERNEL_TYPE, LA_KE
 #undef LA_NAMED
 #undef LA_GETTER
 #undef LA_OWN
+#undef LA_HAS
 #undef LA_MEMBER
 
 } // namespace kernels

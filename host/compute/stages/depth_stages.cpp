@@ -73,11 +73,12 @@ void Stages::depth(const DepthArgs& args) {
     depth_.boxes.with_room(std::size_t{4} * stride);
     for (ScratchTable* table : {&depth_.nearest, &depth_.order}) table->with_room(stride);
     for (ScratchTable* table : {&depth_.total, &depth_.next}) table->with_room(1);
-    const kernels::depth_tiles::Own stored{
-        .depth = args.depth != nullptr ? args.depth : &depth_.unasked.with_room(texels),
-        .numbers = args.numbers != nullptr ? args.numbers : &depth_.no_numbers.with_room(1),
-        .pyramid = &args.tiles,
-        .blank = &blank_tiles(args)};
+    const struct {
+        Buffer *depth, *numbers, *pyramid, *blank;
+    } stored{.depth = args.depth != nullptr ? args.depth : &depth_.unasked.with_room(texels),
+             .numbers = args.numbers != nullptr ? args.numbers : &depth_.no_numbers.with_room(1),
+             .pyramid = &args.tiles,
+             .blank = &blank_tiles(args)};
     launch_grouped<kernels::depth_order>(1, 1, parameters, depth_);
     const std::uint32_t workers =
         std::min(tuning_.depth_workers, static_cast<std::uint32_t>(tiles.x * tiles.y));

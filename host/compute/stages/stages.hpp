@@ -44,7 +44,8 @@ class Stages {
     /// The tables of `own` are taken before those of the groups; null: the launch does without it.
     template <class K, class Group, class... Groups>
     void launch(std::uint32_t items, const typename K::Parameters& parameters,
-                const typename K::Own& own, const Group& group, const Groups&... groups) {
+                const typename K::template Own<Group, Groups...>& own, const Group& group,
+                const Groups&... groups) {
         launch_variant<K>(0, items, tuning_.local_size, parameters, own, group, groups...);
     }
     /// Launches a kernel whose only parameter is the number of its elements.
@@ -64,8 +65,9 @@ class Stages {
     }
     template <class K, class Group, class... Groups>
     void launch_grouped(std::uint32_t items, std::uint32_t group,
-                        const typename K::Parameters& parameters, const typename K::Own& own,
-                        const Group& first, const Groups&... groups) {
+                        const typename K::Parameters& parameters,
+                        const typename K::template Own<Group, Groups...>& own, const Group& first,
+                        const Groups&... groups) {
         launch_variant<K>(0, items, group, parameters, own, first, groups...);
     }
     /// The same of one of the kernel's variants, see kernel_of().
