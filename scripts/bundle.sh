@@ -99,6 +99,15 @@ cp "$root/docs/bundle.md" "$target/README.md"
 cp "$root/scripts/bundle/environment.sh" "$target/lib"
 cp "$root"/scripts/bundle/{check,lineatlas} "$target"
 
+# The pictures of this machine, with which `check` compares those of another.
+mkdir "$target/share/pictures"
+(
+    scratch=$(mktemp -d)
+    trap 'rm -rf "$scratch"' EXIT
+    "$target/check" --part "picture cpp" --part "scan cpp" --json "$scratch/check.json" >/dev/null
+    for name in picture scan; do cp "$scratch/check-pictures/$name-cpp.png" "$target/share/pictures/$name.png"; done
+)
+
 "$root/scripts/bundle/verify.sh" "$target"
 megabytes=$(($(du -s --apparent-size --block-size=1000 "$target" | cut -f1) / 1000 + 1))
 echo "$target: $megabytes MB"

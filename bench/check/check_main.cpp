@@ -14,6 +14,7 @@
 #include "lineatlas/error.hpp"
 #include "machine.hpp"
 #include "markdown.hpp"
+#include "pictures.hpp"
 #include "report.hpp"
 #include "scan.hpp"
 
@@ -68,9 +69,14 @@ bool run_part(Part part, Clock::time_point end, const Places& places, Json& repo
         fmt::print("\n{}", result.output);
     }
     report["parts"].push_back(describe_part(part, result, written));
-    if (!part.picture.empty() && fs::exists(places.pictures / part.picture))
-        report["parts"].back()["picture"] =
-            (places.pictures.filename() / part.picture).generic_string();
+    if (!part.picture.empty() && fs::exists(places.pictures / part.picture)) {
+        Json& described = report["parts"].back();
+        described["picture"] = (places.pictures.filename() / part.picture).generic_string();
+        for (const auto& [whose, other] : part.others) {
+            Json compared = compare_pictures(places.pictures / part.picture, other);
+            if (!compared.is_null()) described["compared"][whose] = std::move(compared);
+        }
+    }
     fmt::print("{}, {:.1f} s\n", outcome(part, result), result.took.count());
     return outcome(part, result) == "ok";
 }
@@ -82,6 +88,7 @@ bool check(const Options& options) {
     const Scratch scratch;
     const Places places{.scratch = scratch.folder,
                         .pictures = json.parent_path() / (json.stem().string() + "-pictures"),
+                        .shipped = fs::absolute("share/pictures"),
                         .scan = scratch.folder / "scan.obj"};
     fs::create_directories(places.pictures);
     write_scan(places.scan);

@@ -165,6 +165,30 @@ echo "$model" > "$2")");
     EXPECT_TRUE(fs::exists(folder_ / "out-pictures" / "scan-cpp.png"));
 }
 
+/// Files of one pixel, black and nearly black.
+const char* const black =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC";
+const char* const nearly_black =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgZmYGAAAWAAoNgUljAAAAAElFTkSuQmCC";
+
+TEST_F(Check, CountsPixelsThatDiffer) {
+    const auto draw = [](const std::string& png) {
+        return "test \"$1\" = draw || exit 0\nwhile [ \"$1\" != -o ]; do shift; done\necho " + png +
+               " | base64 -d > \"$2\"";
+    };
+    script("bin/lineatlas", draw(black) + "\ncase $2 in *cpp.png) echo " + nearly_black +
+                                " | base64 -d > \"$2\";; esac");
+    EXPECT_EQ(run("--part picture --part 'picture cpp'"), 0);
+    EXPECT_EQ(part("picture cpp")["compared"]["the device's"]["differ"], 1);
+    EXPECT_NE(markdown().find("| picture cpp | the device's | 1 | 1 | 0 |"), std::string::npos);
+    EXPECT_EQ(markdown().find("the bundle's"), std::string::npos) << "it has none";
+
+    fs::create_directories(folder_ / "share/pictures");
+    fs::copy(folder_ / "out-pictures/picture-device.png", folder_ / "share/pictures/picture.png");
+    EXPECT_EQ(run("--part picture"), 0);
+    EXPECT_NE(markdown().find("| picture | the bundle's | 1 | 0 | 0 |"), std::string::npos);
+}
+
 TEST_F(Check, LeavesOutAPictureThatWasNotDrawn) {
     script("bin/lineatlas", "exit 4");
     EXPECT_EQ(run("--part picture"), 1);

@@ -214,6 +214,22 @@ void add_pictures(Document& document, const Json& parts) {
     end_row();
 }
 
+void add_differences(Document& document, const Json& parts) {
+    bool any = false;
+    for (const Json& part : parts) {
+        for (const auto& [whose, compared] : member(part, "compared").items()) {
+            if (!any) {
+                document.line("");
+                document.table(
+                    {"picture", "beside", "pixels", "that differ", "by more than a twentieth"});
+            }
+            any = true;
+            document.row({text_of(part, "name"), whose, text_of(compared, "pixels"),
+                          text_of(compared, "differ"), text_of(compared, "differ_clearly")});
+        }
+    }
+}
+
 void add_output(Document& document, const Json& parts) {
     for (const Json& part : parts) {
         if (!part.contains("output") || text_of(part, "output").empty()) continue;
@@ -234,6 +250,7 @@ void write_markdown(const std::filesystem::path& path, const Json& report) {
     add_bounds(document, parts);
     add_kernels(document, parts);
     add_pictures(document, parts);
+    add_differences(document, parts);
     add_output(document, parts);
     AtomicFile{path}.commit(
         {reinterpret_cast<const unsigned char*>(document.text.data()), document.text.size()});

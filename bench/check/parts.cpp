@@ -42,15 +42,19 @@ std::vector<Part> all_parts(const Places& places) {
     const auto picture = [&](const std::string& of, const std::vector<std::string>& model,
                              const std::string& device) {
         const std::string file = of + "-" + (device.empty() ? "device" : device) + ".png";
-        std::vector<std::string> arguments{"draw", "-o", (places.pictures / file).string()};
-        arguments.insert(arguments.end(), model.begin(), model.end());
-        if (!device.empty()) arguments.insert(arguments.end(), {"--compute", device});
-        return Part{device.empty() ? of : of + " " + device,
-                    PartKind::output,
-                    "bin/lineatlas",
-                    std::move(arguments),
-                    seconds{60},
-                    file};
+        Part part{device.empty() ? of : of + " " + device,
+                  PartKind::output,
+                  "bin/lineatlas",
+                  {},
+                  seconds{60},
+                  file,
+                  {{"the bundle's", places.shipped / (of + ".png")}}};
+        if (!device.empty())
+            part.others.emplace_back("the device's", places.pictures / (of + "-device.png"));
+        part.arguments = {"draw", "-o", (places.pictures / file).string()};
+        part.arguments.insert(part.arguments.end(), model.begin(), model.end());
+        if (!device.empty()) part.arguments.insert(part.arguments.end(), {"--compute", device});
+        return part;
     };
     const std::vector<std::string> ship{"--scene", "ship"};
     const std::vector<std::string> contours{

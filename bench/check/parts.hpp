@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lineatlas::bench {
@@ -19,12 +20,15 @@ struct Part {
     std::vector<std::string> arguments;
     std::chrono::seconds limit;
     std::string picture{}; ///< that the part writes to Places::pictures; "": none
+    /// Pictures that are compared with it, by what they are: "the device's".
+    std::vector<std::pair<std::string, std::filesystem::path>> others{};
 };
 
 /// Absolute paths that parts use.
 struct Places {
     std::filesystem::path scratch;  ///< a folder that is removed when the check ends
     std::filesystem::path pictures; ///< the folder of the report's pictures
+    std::filesystem::path shipped;  ///< the folder of the bundle's own pictures
     std::filesystem::path scan;     ///< the model that write_scan() wrote
 };
 
