@@ -302,7 +302,7 @@ static int filled_offset(const KeptTables t, const uint k, const uint i, const u
  * remembers. */
 KERNEL(carry_place, CarryParameters) {
     const uint i = (uint)get_global_id(0);
-    if (i >= args.count) return;
+    if (i >= args.count || origins[i] == 0) return;
     const uint s = args.first + i;
     const uint chain = i - segments[s].from_start;
     const KeptTables tables = {lengths, recalled, kept,  list,

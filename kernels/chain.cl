@@ -89,16 +89,17 @@ static uint way_on(const ChainParameters* args, const uint c, const uint end,
         }
         partner = straightest_partner(own, directions, count);
     }
-    if (partner == own) return LA_WAY_ENDS;
     /* A silhouette that is entered at its p is taken from p to q. */
-    return numbers[meeting[partner] >> 1] << 1 | (meeting[partner] & 1u);
+    const uint other = numbers[meeting[partner] >> 1];
+    if (partner == own || other >= args->count) return LA_WAY_ENDS;
+    return other << 1 | (meeting[partner] & 1u);
 }
 
 /* The way that goes on behind an end of a contour. Behind its q another contour begins with its p,
  * and the other way round. */
-static uint contour_on(__global const ContourCrossing* crossing, const uint end) {
+static uint contour_on(const uint count, __global const ContourCrossing* crossing, const uint end) {
     const uint other = end != 0 ? crossing->after : crossing->before;
-    return other == LA_NO_SILHOUETTE ? LA_WAY_ENDS : other << 1 | (1u - end);
+    return other < count ? other << 1 | (1u - end) : LA_WAY_ENDS;
 }
 
 /* How way 2 n + d of candidate c ranks among those that name a chain: the last bit says that the
@@ -110,7 +111,11 @@ static uint rank_of(const uint way, const uint c, const uint follows,
     return before == 0 ? way | LA_RANK_NEW : way ^ ((before - 1u) & 1u);
 }
 
-/* One work-item per silhouette. chosen, numbers: of `silhouette`; crossings: of `contour`.
+/* One work-item per silhouette that there is room for. If there are fewer, LA_NO_SILHOUETTE is
+ * chosen for the last ones. Each of these is a chain by itself, behind all others, of a segment
+ * that no frame draws. If there are more, the chains have gaps, and the host does the frame again.
+ *
+ * chosen, numbers: of `silhouette`; crossings: of `contour`.
  * end_offsets, ends: for every vertex of the mesh the ends of edges there, as 2 i + end for
  * candidate i. ways: each gets a stretch of one silhouette. positions_before: `positions` of the
  * frame before, if it counts. */
@@ -121,26 +126,30 @@ KERNEL(chain_link, ChainParameters) {
     for (uint d = 0; d < 2; ++d) {
         const uint end = 1u - d;
         ChainWay way;
-        way.next = c >= args.contours
-                       ? contour_on(crossings + n, end)
-                       : way_on(&args, c, end, segments, vertices, end_offsets, ends, numbers);
+        way.next = LA_WAY_ENDS;
+        way.least = n << 1 | d | LA_RANK_NEW;
+        if (c != LA_NO_SILHOUETTE) {
+            way.next = c >= args.contours
+                           ? contour_on(args.count, crossings + n, end)
+                           : way_on(&args, c, end, segments, vertices, end_offsets, ends, numbers);
+            way.least = rank_of(n << 1 | d, c, args.follows, positions_before);
+        }
         way.hops = 1;
-        way.least = rank_of(n << 1 | d, c, args.follows, positions_before);
         way.at = 0;
         ways[n << 1 | d] = way;
     }
 }
 
-/* One work-item per way. It takes over what the way behind its stretch knows. going[step]: 1 if any
- * way still has to go on. If none has, the next step copies all ways and later steps do nothing, so
- * both tables hold the result.
+/* One work-item per way. It takes over what the ways behind its stretch know, one after the other.
+ * going[step]: 1 if any way still has to go on. If none has, the next step copies all ways and
+ * later steps do nothing, so both tables hold the result.
  *
  * A stretch with the same least way as the stretch behind it has gone round a loop. */
 KERNEL(chain_jump, ChainParameters) {
     const uint i = (uint)get_global_id(0);
     if (i >= args.count || (args.step > 1 && going[args.step - 2] == 0)) return;
     ChainWay way = ways[i];
-    if (way.next < LA_WAY_CLOSES) {
+    for (uint k = 1; k < LA_WAY_GROWTH && way.next < LA_WAY_CLOSES; ++k) {
         const ChainWay behind = ways[way.next];
         if (behind.next == LA_WAY_CLOSES) {
             way.at = way.least == behind.least ? way.at : (way.hops + behind.at) % behind.hops;
@@ -153,10 +162,10 @@ KERNEL(chain_jump, ChainParameters) {
             if (behind.least < way.least) way.at = way.hops + behind.at;
             way.hops += behind.hops;
             way.next = behind.next;
-            if (way.next < LA_WAY_CLOSES) atomic_max(going + args.step, 1u);
         }
         way.least = min(way.least, behind.least);
     }
+    if (way.next < LA_WAY_CLOSES) atomic_max(going + args.step, 1u);
     longer[i] = way;
 }
 
@@ -194,14 +203,21 @@ static bool is_noise(const ChainPlace* place, const uint tag) {
 
 /* One work-item per silhouette. starts: the scanned lengths. ordered: the segments of the frame;
  * chains stand from `first` on. origins: for each segment of a chain 2 i + 1 if it is candidate i,
- * 2 i + 2 if it is candidate i reversed. positions: for each candidate its place among these
- * segments, coded in the same way, or 0. */
+ * 2 i + 2 if it is candidate i reversed, 0 if it is none. positions: for each candidate its place
+ * among these segments, coded in the same way, or 0. */
 KERNEL(chain_write, ChainParameters) {
     const uint n = (uint)get_global_id(0);
     if (n >= args.count) return;
     const ChainPlace place = places[n];
     const uint c = chosen[n];
     const uint position = starts[place.leader] + place.before;
+    if (c == LA_NO_SILHOUETTE) {
+        /* Without length, and with one face on both sides. */
+        const Segment none = {0, 0, 0, 0, 0, 0, 0, LA_KIND_SILHOUETTE};
+        ordered[args.first + position] = none;
+        origins[position] = 0;
+        return;
+    }
     const uint turned = (place.flags & LA_PLACE_REVERSED) != 0 ? 1u : 0u;
     Segment segment = segments[args.first + c];
     if (c >= args.contours) {

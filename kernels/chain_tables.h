@@ -5,13 +5,17 @@
 
 /* The way along a chain from one silhouette, in one of its two directions: 2 n + d is silhouette n
  * taken from p to q (d = 0) or from q to p (d = 1). A way knows a stretch of its chain that begins
- * with its own silhouette. With each step of chain_jump the stretch gets twice as long. */
+ * with its own silhouette. With each step of chain_jump the stretch gets LA_WAY_GROWTH times as
+ * long. */
 typedef struct ChainWay {
     la_uint next;  /* the way behind the stretch, or LA_WAY_* */
     la_uint hops;  /* silhouettes in the stretch; of a loop, in the whole loop */
     la_uint least; /* the rank of the least way in the stretch, which names the chain in the end */
     la_uint at;    /* silhouettes before that least way in the stretch */
 } ChainWay;
+
+/* By how much a stretch grows with each step of chain_jump. */
+#define LA_WAY_GROWTH 4u
 
 /* Flag in ChainWay.least: the frame before did not have the silhouette. */
 #define LA_RANK_NEW 0x80000000u
@@ -81,10 +85,11 @@ typedef struct SilhouetteParameters {
     la_uint first; /* candidate in the segment table */
     la_uint replaced; /* the first in the middle; `count` where there are no contours */
     la_uint contours; /* the first contour; without contours a number that no candidate has */
+    la_uint capacity; /* of silhouette_list: silhouettes that have room, at most `count` */
 } SilhouetteParameters;
 
 typedef struct ChainParameters {
-    la_uint count;    /* silhouettes; for chain_jump their ways */
+    la_uint count;    /* silhouettes that there is room for; for chain_jump their ways */
     la_uint first;    /* candidate in the segment table */
     la_uint step;     /* of chain_jump, from 0 */
     la_vec4 eye;      /* as in FacingParameters */
@@ -112,7 +117,7 @@ typedef struct ChainParameters {
 #define silhouette_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uchar, front) out(uint, numbers)
 #define silhouette_list_tables(in, out, inout, unordered) \
-    in(uint, numbers) out(uint, chosen) out(uint, positions)
+    in(uint, numbers) out(uint, chosen) out(uint, positions) out(uint, total)
 #define chain_link_tables(in, out, inout, unordered) \
     in(Segment, segments) in(uint, chosen) in(ContourCrossing, crossings) in(float, vertices) \
     in(uint, end_offsets) in(uint, ends) in(uint, numbers) in(uint, positions_before) \

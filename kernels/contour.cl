@@ -221,7 +221,7 @@ KERNEL(contour_cross, ContourParameters) {
  * runs with finds the place on it. numbers: those of `silhouette`. One work-item per silhouette. */
 KERNEL(contour_places, ContourParameters) {
     const uint n = (uint)get_global_id(0);
-    if (n >= args.count || chosen[n] < args.contours) return;
+    if (n >= args.count || chosen[n] < args.contours || chosen[n] == LA_NO_SILHOUETTE) return;
     const uint i = chosen[n] - args.contours;
     const ContourFace face = faces[i];
     float faces_eye[3];
@@ -253,7 +253,7 @@ KERNEL(contour_places, ContourParameters) {
         if (at_tip)
             put_tip(k == tip ? at[k] : at[next], vertex, vertices);
         else if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
-            vertex = args.first_vertex + 4 * other + (falls ? 2u : 0u);
+            vertex = args.first_vertex + 4 * min(other, args.count - 1u) + (falls ? 2u : 0u);
         else
             put_places(own + k, own + next, faces_eye[k], faces_eye[next],
                        across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, lift,

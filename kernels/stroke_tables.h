@@ -15,7 +15,8 @@ typedef struct StrokeListParameters {
 #define strokes_count_tables(in, out, inout, unordered) \
     in(Run, runs) in(FrameRecord, record) inout(uint, counts)
 #define strokes_list_tables(in, out, inout, unordered) \
-    in(Run, runs) in(FrameRecord, record) inout(uint, ends) out(uint, entries)
+    in(Run, runs) in(FrameRecord, record) inout(uint, ends) out(uint, entries) \
+    out(uint, total)
 
 /* StrokesParameters.end_kinds: what has round ends, and whether ends are cut. */
 #define LA_STROKES_ROUND_JOINS 1u  /* joins */
@@ -26,7 +27,7 @@ typedef struct StrokeListParameters {
 #define LA_ALL_PENS 0xFFFFFFFFu
 
 typedef struct StrokesParameters {
-    la_uint count;       /* runs */
+    la_uint count;       /* runs that there is room for */
     la_ivec2 tiles;      /* of the whole picture */
     la_uint chunks;      /* as in StrokeListParameters */
     la_uint capacity;    /* of `entries` */
@@ -60,7 +61,8 @@ typedef struct StrokeBox {
 #define LA_STROKE_EVEN 2u    /* its visibility is 1 all along */
 #define LA_STROKE_THINNED 4u /* `density` leaves out shares of it that change along it */
 #define strokes_boxes_tables(in, out, inout, unordered) \
-    in(Run, runs) in(uchar, alpha) in(float, weights) out(StrokeBox, boxes)
+    in(Run, runs) in(FrameRecord, record) in(uchar, alpha) in(float, weights) \
+    out(StrokeBox, boxes)
 #define strokes_pixels_tables(in, out, inout, unordered) \
     in(Run, runs) in(StrokeBox, boxes) in(uint, ends) in(uint, entries) in(uchar, alpha) \
     in(float, mark) in(float, weights) inout(uchar, coverage) inout(uint, shown)

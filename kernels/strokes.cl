@@ -77,12 +77,14 @@ KERNEL(strokes_count, StrokeListParameters) {
 }
 
 /* ends: the scanned counts, and behind them the number of all entries. Afterwards each says where
- * its part of the list ends. If there are more entries than fit, nothing is written or drawn. The
- * host reads their number, enlarges the table and does the frame again. */
+ * its part of the list ends. total: the number of all entries. If there are more than fit, nothing
+ * is written or drawn. The host reads the total, enlarges the table and does the frame again. */
 KERNEL(strokes_list, StrokeListParameters) {
     const uint chunk = (uint)get_global_id(0);
-    const uint tiles = (uint)(args.tiles.v[0] * args.tiles.v[1]);
-    if (chunk >= args.chunks || ends[tiles * args.chunks] > args.capacity) return;
+    if (chunk >= args.chunks) return;
+    const uint all = ends[(uint)(args.tiles.v[0] * args.tiles.v[1]) * args.chunks];
+    if (chunk == 0) total[0] = all;
+    if (all > args.capacity) return;
     const uint2 own = runs_of(chunk, args.chunks, record->points[0]);
     for (uint r = own.x; r < own.y; ++r) enter(&args, runs + r, r, chunk, ends, entries);
 }
@@ -209,7 +211,7 @@ KERNEL(strokes_tiles, StrokesParameters) {
 /* Finds the numbers of each run's stroke that its pixels share. One work-item per run. */
 KERNEL(strokes_boxes, StrokesParameters) {
     const uint r = (uint)get_global_id(0);
-    if (r >= args.count) return;
+    if (r >= args.count || r >= record->points[0]) return;
     StrokeBox own = {{0.0f, 0.0f}, {0.0f, 0.0f}, 0, 0.0f};
     if (is_drawn(&args, runs + r)) {
         Stroke s;

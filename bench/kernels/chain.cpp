@@ -81,8 +81,9 @@ Job prepare_list(compute::Stages& stages, std::uint32_t n) {
     const std::size_t count = rings->silhouettes;
     rings->tables.chosen.fit(count * sizeof(std::uint32_t));
     rings->tables.positions.fit(n * sizeof(std::uint32_t));
+    rings->tables.total.fit(sizeof(std::uint32_t));
     const auto run = [=, &stages] {
-        stages.silhouette_list(rings->table().candidates, rings->tables);
+        stages.silhouette_list(rings->table().candidates, rings->silhouettes, rings->tables);
         stages.device().finish();
     };
     run();
@@ -108,7 +109,8 @@ Job prepare_chain(compute::Stages& stages, std::uint32_t n) {
     words(tables.places, 4 * count);
     words(tables.starts, count + 1);
     words(tables.positions, n);
-    stages.silhouette_list(rings->table().candidates, tables);
+    words(tables.total, 1);
+    stages.silhouette_list(rings->table().candidates, rings->silhouettes, tables);
     const auto run = [=, &stages] {
         stages.chain({.table = rings->table(),
                       .view = {{0, 0, 1, 0}, true},

@@ -23,16 +23,15 @@ Job prepare(compute::Stages& stages, std::uint32_t n) {
     const SharedBuffer ends =
         device.allocate(compute::stroke_ends(device.tuning(), Paths::viewport) * bytes);
     const SharedBuffer entries = device.allocate(capacity * bytes);
+    const SharedBuffer total = device.allocate(bytes);
     const SharedBuffer coverage = device.allocate(pixels);
     const SharedBuffer shown = device.allocate(static_cast<std::size_t>(tiles.x * tiles.y) * bytes);
     const auto run = [=, &stages] {
-        const compute::StrokeLists lists{*ends, *entries, capacity};
-        stages.list_strokes({.runs = {*from.runs, *from.record, from.capacity},
-                             .viewport = Paths::viewport,
-                             .half_width = 1,
-                             .lists = lists});
-        stages.draw_strokes({.runs = *from.runs,
-                             .run_count = on.runs,
+        const compute::StrokeLists lists{*ends, *entries, *total, capacity};
+        const compute::RunTable runs{*from.runs, *from.record, on.runs};
+        stages.list_strokes(
+            {.runs = runs, .viewport = Paths::viewport, .half_width = 1, .lists = lists});
+        stages.draw_strokes({.runs = runs,
                              .lists = lists,
                              .alpha = *on.alpha,
                              .viewport = Paths::viewport,

@@ -40,6 +40,15 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest_texture_buffer_);
 }
 
+AtlasMethod::~AtlasMethod() {
+    if (!counts_come_) return;
+    try {
+        device_.finish(); // an error has ended a frame whose copies may still run
+    } catch (const DeviceError&) {
+        return; // a queue that failed runs nothing any more
+    }
+}
+
 void AtlasMethod::release_scene() {
     chains_.release();
     batches_.release();
@@ -258,14 +267,18 @@ bool AtlasMethod::grow() {
     return strokes_.grow() || intervals_grown || atlas_grown;
 }
 
+void AtlasMethod::find_once(Frame& frame) {
+    sample(frame);
+    temporal_.average(frame, segment_atlas(), chains_);
+    std::optional<compute::OutlineTable> outline;
+    if (finds_outlines_) outline.emplace(outlines_.find(frame, segment_atlas(), depth_));
+    intervals_.find(frame, segment_atlas(), depth_);
+    strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
+}
+
 void AtlasMethod::find(Frame& frame) {
     do {
-        sample(frame);
-        temporal_.average(frame, segment_atlas(), chains_);
-        std::optional<compute::OutlineTable> outline;
-        if (finds_outlines_) outline.emplace(outlines_.find(frame, segment_atlas(), depth_));
-        intervals_.find(frame, segment_atlas(), depth_);
-        strokes_.make_runs(frame, segment_atlas(), nullptr, outline ? &*outline : nullptr);
+        find_once(frame);
     } while (grow());
     depth_.device_is_done(); // the number of runs was waited for
     alpha_.set_size(strokes_.sample_total());
@@ -274,9 +287,34 @@ void AtlasMethod::find(Frame& frame) {
     keep_chunk(frame);
 }
 
+bool AtlasMethod::may_be_late(const Frame& frame) const {
+    return frame.options.draw && !frame.automatic.waits_freely && !raster_ && !keeps_intervals_ &&
+           frame.options.method == Method::atlas && frame.scene.chunk_count() == 1 &&
+           strokes_.draws_any_by_kernels();
+}
+
+void AtlasMethod::draw_late(Frame& frame) {
+    strokes_.begin_late();
+    for (bool again = true; again;) {
+        find_once(frame);
+        strokes_.draw_late(frame, alpha_);
+        const bool all_found = chains_.settle();
+        again = grow() || !all_found;
+        if (!all_found) project(frame);
+    }
+    counts_come_ = false;
+    segment_count_ = chains_.first() + chains_.count();
+    depth_.device_is_done();
+    alpha_.set_size(strokes_.sample_total());
+    fill_.draw(frame, depth_);
+    strokes_.show(frame);
+}
+
 FrameStats AtlasMethod::draw(Frame& frame) {
     prepare(frame);
     begin_chunk(frame, 0);
+    counts_come_ = may_be_late(frame);
+    chains_.guess(counts_come_);
     carries_ = TemporalStage::wanted(frame) && strokes_.has_textures(frame);
     // Projection needs nothing of depth but the pyramid. Without the pyramid both run at the same
     // time.
@@ -289,6 +327,10 @@ FrameStats AtlasMethod::draw(Frame& frame) {
     else if (frame.options.method != Method::item_buffer)
         depth_.draw_texture(frame);
     if (cull_hidden_) project(frame);
+    if (counts_come_) {
+        draw_late(frame);
+        return stats();
+    }
     find(frame);
     for (std::size_t chunk = 1; chunk < frame.scene.chunk_count(); ++chunk) {
         begin_chunk(frame, chunk);

@@ -24,6 +24,9 @@ namespace lineatlas {
 class AtlasMethod {
   public:
     explicit AtlasMethod(const interop::Connection& connection);
+    ~AtlasMethod();
+    AtlasMethod(const AtlasMethod&) = delete;
+    AtlasMethod& operator=(const AtlasMethod&) = delete;
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release_scene();
@@ -64,6 +67,12 @@ class AtlasMethod {
     void project(Frame& frame);
     /// Finds samples, intervals and runs of the current chunk.
     void find(Frame& frame);
+    /// As find(), but tables may have been too small: grow() tells.
+    void find_once(Frame& frame);
+    /// Whether the host need not know any number of the frame before its strokes are drawn.
+    bool may_be_late(const Frame& frame) const;
+    /// Finds and draws such a frame, after project(). Waits once.
+    void draw_late(Frame& frame);
     void sample(Frame& frame);
     void sample_tiles(Frame& frame, const TileTarget& target, const ProgressPart& progress);
     compute::AtlasArgs atlas_args(Frame& frame);
@@ -120,6 +129,7 @@ class AtlasMethod {
     bool silhouettes_grew_ = false;  ///< tables of silhouettes grew since set_scene()
     bool raster_ = false;            ///< the current frame's form of `atlas`
     bool cull_hidden_ = false;       ///< the current frame drops segments that are hidden whole
+    bool counts_come_ = false;       ///< numbers of the current frame may still be on their way
 
     gl::AtlasPass atlas_pass_;
     StrokeStage strokes_;

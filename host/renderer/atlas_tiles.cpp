@@ -19,6 +19,7 @@ void AtlasMethod::prepare_tiles(const Frame& frame) {
     raster_ = false;
     cull_hidden_ = false;
     carries_ = false;
+    chains_.guess(false);
     temporal_.forget(); // the next frame has nothing to be averaged with
     make_atlas(frame);
 }

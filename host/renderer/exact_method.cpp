@@ -2,13 +2,15 @@
 
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
+#include "lineatlas/error.hpp"
 #include "tile_loop.hpp"
 
 namespace lineatlas {
 
 ExactMethod::ExactMethod(const interop::Connection& connection)
-    : lines_(*connection.stages), alpha_(*connection.sharing, compute::table::no_alpha),
-      depth_(connection), fill_(connection), strokes_(connection), intervals_(*connection.stages) {
+    : device_(connection.stages->device()), lines_(*connection.stages),
+      alpha_(*connection.sharing, compute::table::no_alpha), depth_(connection), fill_(connection),
+      strokes_(connection), intervals_(*connection.stages) {
     alpha_.fit(16);
 }
 
@@ -19,9 +21,26 @@ void ExactMethod::set_scene(const SceneBuffers& scene) {
     lines_.make_tables(scene.tables().most_fixed_segments());
 }
 
-void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
+ExactMethod::~ExactMethod() {
+    if (!late_) return;
+    try {
+        device_.finish(); // an error has ended a frame whose copies may still run
+    } catch (const DeviceError&) {
+        return; // a queue that failed runs nothing any more
+    }
+}
+
+bool ExactMethod::may_be_late(const Frame& frame) const {
+    return frame.options.draw && !frame.automatic.waits_freely && !IntervalStage::wanted(frame) &&
+           frame.scene.chunk_count() == 1 && strokes_.draws_any_by_kernels();
+}
+
+void ExactMethod::find(Frame& frame, bool whole, const ProgressPart& progress) {
     strokes_.begin_frame(frame);
     intervals_.begin_frame(frame);
+    late_ = whole && may_be_late(frame);
+    if (late_) strokes_.begin_late();
+    lines_.guess(late_);
     const LineView view{.camera = frame.camera,
                         .bounds = frame.scene.bounds(),
                         .contact = frame.scene.contact(),
@@ -49,6 +68,7 @@ void ExactMethod::find(Frame& frame, const ProgressPart& progress) {
             do {
                 intervals_.find(frame, lines_.clipped(), spans);
                 strokes_.make_runs(frame, no_samples(), &spans, outline ? &*outline : nullptr);
+                if (late_) strokes_.draw_late(frame, alpha_);
             } while (grow());
             if (of_intervals) intervals_.add_outlines(frame, *outline, lines_.order());
             if (chunks == 1) return;
@@ -63,10 +83,13 @@ bool ExactMethod::grow() {
 }
 
 FrameStats ExactMethod::draw(Frame& frame) {
-    find(frame, ProgressPart::none());
+    find(frame, true, ProgressPart::none());
     if (frame.options.draw) {
         fill_.draw_tile(frame, depth_);
-        strokes_.draw(frame, alpha_);
+        if (late_)
+            strokes_.show(frame);
+        else
+            strokes_.draw(frame, alpha_);
     }
     return {.runs = strokes_.runs_of_frame(), .stages = {}};
 }
@@ -75,7 +98,7 @@ FrameStats ExactMethod::draw_tiles(Frame& frame, const TileTarget& target) {
     const ProgressPart progress{target.progress, "drawing tiles"};
     const ProgressPart drawing = progress.part(0.5F, 1);
     progress(0);
-    find(frame, progress.part(0, 0.5F));
+    find(frame, false, progress.part(0, 0.5F));
     draw_by_tiles(frame, target, drawing, [&] {
         fill_.draw_tile(frame, depth_);
         strokes_.draw(frame, alpha_);

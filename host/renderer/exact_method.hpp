@@ -18,6 +18,9 @@ namespace lineatlas {
 class ExactMethod {
   public:
     explicit ExactMethod(const interop::Connection& connection);
+    ~ExactMethod();
+    ExactMethod(const ExactMethod&) = delete;
+    ExactMethod& operator=(const ExactMethod&) = delete;
 
     /// Gives up the tables of a line set: a large one may not fit beside another.
     void release_scene() { lines_.release(); }
@@ -35,18 +38,24 @@ class ExactMethod {
     std::vector<OutlinePart> read_outlines() const { return intervals_.read_outlines(); }
 
   private:
-    /// Finds the visible spans and makes intervals and runs of them. Throws Cancelled.
-    void find(Frame& frame, const ProgressPart& progress);
+    /// Finds the visible spans and makes intervals and runs of them. `whole`: the picture is not
+    /// drawn by tiles. Throws Cancelled.
+    void find(Frame& frame, bool whole, const ProgressPart& progress);
+    /// Whether the host need not know how many silhouettes and runs a whole picture has before its
+    /// strokes are drawn.
+    bool may_be_late(const Frame& frame) const;
     bool grow();
     /// An atlas without samples.
     compute::SegmentAtlas no_samples() { return {lines_.clipped(), alpha_.compute(), 0}; }
 
+    compute::Device& device_;
     ExactLines lines_;
     interop::SharedTable alpha_; ///< without samples
     DepthStage depth_;           ///< for fills; lines need no depth
     FillStage fill_;
     StrokeStage strokes_;
     IntervalStage intervals_;
+    bool late_ = false; ///< numbers of the current frame come with its strokes
 };
 
 } // namespace lineatlas

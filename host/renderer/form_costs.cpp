@@ -130,7 +130,7 @@ double frame_milliseconds(const AutomaticForms& forms, const interop::HandoverRa
 AutomaticForms forms_for(const compute::Tuning& tuning, const interop::HandoverRates& rates) {
     const KernelPlace place = place_of(tuning);
     AutomaticForms forms = cheapest_forms(rates, stage_times(place, !gl::is_software()));
-    forms.few_strokes_by_gl = place == KernelPlace::cpu; // where a wait takes no time
+    forms.waits_freely = place == KernelPlace::cpu;
     return forms;
 }
 

@@ -46,8 +46,9 @@ struct AutomaticForms {
     bool fill = false;        ///< of the method exact, with the depth for it
     bool atlas = false;
     bool strokes = false;
-    /// GL draws strokes all the same if they are few. It costs a wait for their number.
-    bool few_strokes_by_gl = false;
+    /// A wait for kernels takes no time: they run on the CPU. So numbers are read as soon as there
+    /// are any, and GL draws strokes all the same if they are few.
+    bool waits_freely = false;
 };
 
 /// The forms that take the least time. Times of other scenes differ, so a form must be ahead by a

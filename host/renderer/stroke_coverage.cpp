@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compute/transfer.hpp"
 #include "core/pens.hpp"
 #include "frame_forms.hpp"
 #include "glpasses/storage.hpp"
@@ -51,7 +50,7 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
     const auto pixels = static_cast<std::uint64_t>(frame.camera.size.x) *
                         static_cast<std::uint64_t>(frame.camera.size.y);
     const bool leaves_few =
-        frame.options.forms.strokes == StageForm::automatic && frame.automatic.few_strokes_by_gl;
+        frame.options.forms.strokes == StageForm::automatic && frame.automatic.waits_freely;
     fewest_runs_ = leaves_few ? pixels / pixels_per_run : 0;
     if (!draws_ || !coverage_) return;
     for (interop::SharedTable* table : {&coverage_, &shown_})
@@ -59,18 +58,22 @@ void StrokeCoverage::begin_frame(Frame& frame, const RunPens& pens) {
 }
 
 void StrokeCoverage::list(const Frame& frame, bool hidden, const compute::RunTable& runs,
-                          float half_width) {
+                          float half_width, bool late) {
     Lists& own = lists(hidden);
     if (own.capacity == 0)
         own.capacity = compute::first_capacity<la_uint>(device_, first_entry_capacity);
-    const std::size_t ends = compute::stroke_ends(device_.tuning(), frame.viewport());
-    own.ends.fit(ends * sizeof(la_uint));
+    own.ends.fit(compute::stroke_ends(device_.tuning(), frame.viewport()) * sizeof(la_uint));
     own.entries.fit(std::uint64_t{own.capacity} * sizeof(la_uint));
+    own.total_on_device.fit(sizeof(la_uint));
     stages_.list_strokes({.runs = runs,
                           .viewport = frame.viewport(),
                           .half_width = half_width,
                           .lists = tables(hidden)});
-    own.total = compute::read_one<la_uint>(device_, *own.ends, ends - 1);
+    const auto total = std::as_writable_bytes(std::span{&own.total, 1});
+    if (late)
+        device_.begin_download(*own.total_on_device, total);
+    else
+        device_.download(*own.total_on_device, total);
 }
 
 bool StrokeCoverage::grow() {
@@ -124,7 +127,7 @@ const StrokeCoverage::Mark& StrokeCoverage::mark(const Pen& pen) {
     return marks_.emplace(std::pair{pen.mark, pen.width}, std::move(made)).first->second;
 }
 
-void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std::uint32_t run_count,
+void StrokeCoverage::draw(Frame& frame, bool hidden, const compute::RunTable& runs,
                           compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends,
                           bool again) {
     frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
@@ -133,7 +136,6 @@ void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std:
             const Pen& pen = pens[i];
             const Mark& own = mark(pen);
             stages_.draw_strokes({.runs = runs,
-                                  .run_count = run_count,
                                   .lists = tables(hidden),
                                   .alpha = alpha,
                                   .viewport = frame.viewport(),
@@ -156,8 +158,11 @@ void StrokeCoverage::draw(Frame& frame, bool hidden, compute::Buffer& runs, std:
     });
 }
 
-void StrokeCoverage::show(Frame& frame) {
+void StrokeCoverage::pass_to_gl() {
     sharing_.to_gl({&coverage_, &shown_});
+}
+
+void StrokeCoverage::show(Frame& frame) {
     layers_.coverage = coverage_.gl();
     layers_.shown = shown_.gl();
     std::array<glm::vec4, gl::CoveragePass::most_layers> colors{};

@@ -31,18 +31,21 @@ class StrokeCoverage {
     /// and again after a table was too small.
     void settle(std::uint64_t runs) { draws_ = can_draw_ && runs >= fewest_runs_; }
 
-    /// Finds where runs lie in the picture. Waits for the device. `half_width`: that of their
-    /// widest pen.
-    void list(const Frame& frame, bool hidden, const compute::RunTable& runs, float half_width);
-    /// Enlarges tables that were too small for list(). Returns true if the runs must be listed
-    /// again.
+    /// Finds where runs lie in the picture. `half_width`: that of their widest pen. Waits for the
+    /// device, unless its results are read `late`: they have come when the device is next done.
+    void list(const Frame& frame, bool hidden, const compute::RunTable& runs, float half_width,
+              bool late);
+    /// Enlarges tables that were too small for list(), whose results must have come. Returns true
+    /// if the runs must be listed again.
     bool grow();
     /// Call before the strokes of a picture, or of a tile of it.
     void begin_drawing(Frame& frame);
     /// Draws the listed runs of all pens, of hidden lines or of visible ones. `again`: draws over
     /// runs drawn before. `weights`: those of `density`, or null.
-    void draw(Frame& frame, bool hidden, compute::Buffer& runs, std::uint32_t run_count,
-              compute::Buffer& alpha, compute::Buffer* weights, bool exact_ends, bool again);
+    void draw(Frame& frame, bool hidden, const compute::RunTable& runs, compute::Buffer& alpha,
+              compute::Buffer* weights, bool exact_ends, bool again);
+    /// Passes everything drawn to GL. Waits for the device.
+    void pass_to_gl();
     /// Lays everything drawn over the frame's picture.
     void show(Frame& frame);
 
@@ -57,9 +60,10 @@ class StrokeCoverage {
     struct Lists {
         explicit Lists(compute::Device& device)
             : ends(device, compute::table::stroke_ends),
-              entries(device, compute::table::stroke_entries) {}
+              entries(device, compute::table::stroke_entries),
+              total_on_device(device, compute::table::stroke_total) {}
 
-        compute::Table ends, entries;
+        compute::Table ends, entries, total_on_device;
         std::uint32_t capacity = 0, total = 0;
     };
 
@@ -67,7 +71,7 @@ class StrokeCoverage {
     Lists& lists(bool hidden) { return lists_[hidden ? 1 : 0]; }
     compute::StrokeLists tables(bool hidden) {
         Lists& own = lists(hidden);
-        return {*own.ends, *own.entries, own.capacity};
+        return {*own.ends, *own.entries, *own.total_on_device, own.capacity};
     }
     /// The number of layers of hidden lines, which come before those of visible lines.
     std::uint32_t hidden_layers() const;

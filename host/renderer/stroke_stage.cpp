@@ -33,12 +33,20 @@ void StrokeStage::make_table(SharedRuns& table) {
 }
 
 void StrokeStage::read_totals(SharedRuns& table) {
+    if (late_) return device_.begin_download(table.record.compute(), bytes_of(table.totals));
     device_.download(table.record.compute(), bytes_of(table.totals));
     use_totals(table);
 }
 
 void StrokeStage::use_totals(SharedRuns& table) {
     table.runs.set_size(std::size_t{table.totals.points[0]} * sizeof(Run));
+}
+
+void StrokeStage::use_all_totals() {
+    use_totals(visible_);
+    if (has_hidden_) use_totals(hidden_);
+    for (const bool hidden : {false, true})
+        if (tells_pens(hidden)) use_totals(penned(hidden));
 }
 
 void StrokeStage::prepare(const Frame& frame) {
@@ -107,7 +115,9 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     if (thinning(false).on) density(frame, input, false);
     carry(frame, visible_);
     if (tells_pens(false)) tell_pens(frame, false, outline);
-    if (coverage_.draws_any()) {
+    if (late_) {
+        read_totals(visible_);
+    } else if (coverage_.draws_any()) {
         // The wait for what is listed is enough for both.
         device_.begin_download(visible_.record.compute(), bytes_of(visible_.totals));
     } else {
@@ -117,7 +127,7 @@ void StrokeStage::make_runs(Frame& frame, const compute::SegmentAtlas& input,
     }
     if (has_hidden_) list(frame, true);
     list(frame, false);
-    use_totals(visible_);
+    if (!late_) use_totals(visible_);
 }
 
 void StrokeStage::carry(Frame& frame, SharedRuns& table) {
@@ -168,7 +178,7 @@ void StrokeStage::tell_pens(Frame& frame, bool hidden, const compute::OutlineTab
 void StrokeStage::list(Frame& frame, bool hidden) {
     if (!coverage_.draws()) return;
     frame.clock(hidden ? "strokes hidden" : "strokes", [&] {
-        coverage_.list(frame, hidden, drawn(hidden).compute(), 0.5F * pens_.widest(hidden));
+        coverage_.list(frame, hidden, drawn(hidden).compute(), 0.5F * pens_.widest(hidden), late_);
     });
 }
 
@@ -259,6 +269,7 @@ void StrokeStage::begin_frame(Frame& frame) {
     for (Thinning& thinning : thinning_) thinning.drawn_before.clear();
     chunks_kept_ = false;
     kept_samples_ = kept_runs_ = 0;
+    late_ = false;
 }
 
 void StrokeStage::keep(const Frame& frame, interop::SharedTable& alpha, std::size_t alpha_bytes) {
@@ -291,15 +302,19 @@ void StrokeStage::put_back(const Kept& kept, bool hidden, interop::SharedTable& 
 }
 
 void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedTable& alpha) {
+    draw_coverage(frame, alpha);
+    coverage_.show(frame);
+}
+
+void StrokeStage::draw_coverage(Frame& frame, interop::SharedTable& alpha) {
     coverage_.begin_drawing(frame);
     for (const bool hidden : {true, false}) {
         if (hidden && !has_hidden_) continue;
         Thinning& own = thinning(hidden);
         const auto draw = [&](bool again) {
-            SharedRuns& table = drawn(hidden);
-            coverage_.draw(frame, hidden, table.runs.compute(), table.totals.points[0],
-                           alpha.compute(), own.on ? &own.weights.compute() : nullptr,
-                           has_exact_ends(hidden), again);
+            coverage_.draw(frame, hidden, drawn(hidden).compute(), alpha.compute(),
+                           own.on ? &own.weights.compute() : nullptr, has_exact_ends(hidden),
+                           again);
         };
         if (!chunks_kept_) draw(false);
         for (const Kept& kept : kept_) {
@@ -308,7 +323,13 @@ void StrokeStage::draw_by_kernels(Frame& frame, interop::SharedTable& alpha) {
             draw(&kept != kept_.data());
         }
     }
-    coverage_.show(frame);
+    coverage_.pass_to_gl();
+}
+
+void StrokeStage::draw_late(Frame& frame, interop::SharedTable& alpha) {
+    draw_coverage(frame, alpha);
+    if (interop::is_for_one_device(sharing_.mode())) device_.finish(); // else GL had to wait
+    use_all_totals();
 }
 
 void StrokeStage::draw(Frame& frame, interop::SharedTable& alpha) {

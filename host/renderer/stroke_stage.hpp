@@ -40,9 +40,13 @@ class StrokeStage {
     static bool wants_outlines(const Frame& frame) {
         return frame.options.draw && tells_outlines(frame.options.style);
     }
-    /// Makes the runs, and waits for their totals. May change the visibility of samples (`filter`).
-    /// `spans`: visible spans in place of samples; then the atlas has no samples. `outline`: needed
-    /// if wants_outlines(), else null.
+    /// Whether kernels draw the frame's strokes, however many there are. Call after begin_frame().
+    bool draws_any_by_kernels() const { return coverage_.draws_any(); }
+    /// Lets make_runs() return without its totals, for a frame of which draws_any_by_kernels().
+    void begin_late() { late_ = true; }
+    /// Makes the runs, and waits for their totals unless begin_late() was called. May change the
+    /// visibility of samples (`filter`). `spans`: visible spans in place of samples; then the atlas
+    /// has no samples. `outline`: needed if wants_outlines(), else null.
     void make_runs(Frame& frame, const compute::SegmentAtlas& input,
                    const compute::SpanTable* spans, const compute::OutlineTable* outline);
     /// Whether make_runs() changed the visibility of samples.
@@ -54,6 +58,11 @@ class StrokeStage {
     void keep(const Frame& frame, interop::SharedTable& alpha, std::size_t alpha_bytes);
     /// Draws the runs, or those of all chunks that were kept.
     void draw(Frame& frame, interop::SharedTable& alpha);
+    /// After begin_late(): draws the runs as coverage, for show(), and waits for that and for the
+    /// totals.
+    void draw_late(Frame& frame, interop::SharedTable& alpha);
+    /// Shows what draw_late() has drawn. GL gets no command before.
+    void show(Frame& frame) { coverage_.show(frame); }
 
     /// The samples of the last make_runs().
     std::uint32_t sample_total() const { return visible_.totals.sample_total; }
@@ -107,6 +116,8 @@ class StrokeStage {
     void draw(Frame& frame, interop::SharedTable& alpha, bool hidden, std::uint32_t pen);
     /// The compute form of draw().
     void draw_by_kernels(Frame& frame, interop::SharedTable& alpha);
+    /// Draws everything as coverage, and passes it to GL.
+    void draw_coverage(Frame& frame, interop::SharedTable& alpha);
     /// Finds where the runs lie in the picture, for draw_by_kernels().
     void list(Frame& frame, bool hidden);
     /// The number of runs of all pens, hidden lines included, once they are made.
@@ -114,10 +125,11 @@ class StrokeStage {
     /// Puts runs and samples back where they were.
     void put_back(const Kept& kept, bool hidden, interop::SharedTable& alpha);
     void prepare(const Frame& frame);
-    /// Reads how many runs of the table mean something. Waits for the device.
+    /// Reads how many runs of the table mean something. Waits for the device unless `late_`.
     void read_totals(SharedRuns& table);
     /// After table.totals have come.
-    void use_totals(SharedRuns& table);
+    static void use_totals(SharedRuns& table);
+    void use_all_totals();
     void make_table(SharedRuns& table);
     std::vector<Run> read_runs(SharedRuns& table);
     std::uint32_t grown_capacity(std::uint32_t needed) const;
@@ -151,6 +163,7 @@ class StrokeStage {
     compute::CarriedCoordinates* carried_ = nullptr;
     // Of the current frame.
     bool has_hidden_ = false, filters_ = false, by_spans_ = false;
+    bool late_ = false; ///< totals come when the strokes are drawn
     compute::RunTable raw() const { return {*raw_runs_, *raw_record_, raw_capacity_}; }
     // The input of `filter`, on the device alone.
     compute::Table raw_runs_{device_, compute::table::raw_runs},

@@ -49,6 +49,9 @@ class ExactLines {
     }
     /// Makes tables for another line set.
     void make_tables(std::uint32_t fixed_segments);
+    /// Whether the host guesses how many silhouettes the next frames have, in place of a wait. Then
+    /// the last segments of use() may be none that any frame draws.
+    void guess(bool on) { chains_.guess(on); }
 
     /// Finds the visible parts, chunk by chunk. `table(chunk)` returns the tables that kernels
     /// read. `run(name, action)` runs a stage. `use(chunk, segments, spans)` takes the visible
@@ -79,29 +82,14 @@ class ExactLines {
                 clock("contour",
                       [&] { chains_.take(view.tracer->trace(view.camera, seen.from_outside)); });
             }
-            const compute::SegmentTable segments =
-                chains_.table_of(candidates, wanted, seen, clock);
-            make_room(segments.segment_count);
-            if (chunk == 0) {
-                visibility_.begin(segments, view.camera, view.bounds, view.contact);
-                clock("surfaces", [&] { visibility_.surfaces(); });
-            } else {
-                visibility_.go_on(segments);
+            bool has_all = false;
+            while (!has_all) {
+                const compute::SegmentTable segments =
+                    chains_.table_of(candidates, wanted, seen, clock);
+                find(view, chunk, candidates, segments, clock);
+                has_all = chains_.settle();
+                if (has_all) use(chunk, segments, visibility_.spans());
             }
-            clock("project_clip", [&] { project_clip(view, candidates, segments); });
-            clock("scan",
-                  [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
-            // Later chunks use the lists of tiles of the first one.
-            bool by_lists = chunk > 0, again = true;
-            while (again) {
-                if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(); });
-                clock("visible", [&] {
-                    visibility_.visible(clipped());
-                    again = visibility_.grow(clipped());
-                });
-                by_lists = false;
-            }
-            use(chunk, segments, visibility_.spans());
         }
     }
 
@@ -114,6 +102,31 @@ class ExactLines {
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
 
   private:
+    /// Finds the visible parts of the segments of a chunk. Waits for the device.
+    template <class Clock>
+    void find(const LineView& view, std::size_t chunk, const compute::SegmentTable& candidates,
+              const compute::SegmentTable& segments, const Clock& clock) {
+        make_room(segments.segment_count);
+        if (chunk == 0) {
+            visibility_.begin(segments, view.camera, view.bounds, view.contact);
+            clock("surfaces", [&] { visibility_.surfaces(); });
+        } else {
+            visibility_.go_on(segments);
+        }
+        clock("project_clip", [&] { project_clip(view, candidates, segments); });
+        clock("scan",
+              [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
+        // Later chunks use the lists of tiles of the first one.
+        bool by_lists = chunk > 0, again = true;
+        while (again) {
+            if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(); });
+            clock("visible", [&] {
+                visibility_.visible(clipped());
+                again = visibility_.grow(clipped());
+            });
+            by_lists = false;
+        }
+    }
     void make_room(std::uint32_t segments);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,
                       const compute::SegmentTable& table);

@@ -47,14 +47,27 @@ TEST_P(SilhouetteStage, ListsThem) {
     upload(tables.numbers, {0, 1, 1, 2, 2, 3});
     upload(tables.chosen, std::vector<std::uint32_t>(4, 99));
     upload(tables.positions, std::vector<std::uint32_t>(7, 99));
-    stages().silhouette_list(candidates, tables);
+    tables.total.fit(sizeof(std::uint32_t));
+    stages().silhouette_list(candidates, 3, tables);
     EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 4), {0, 2, 6, 99}));
     EXPECT_TRUE(equal(get<std::uint32_t>(*tables.positions, 7), {0, 0, 0, 99, 99, 0, 0}));
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.total, 1), {3}));
+
+    upload(tables.chosen, std::vector<std::uint32_t>(6, 99));
+    stages().silhouette_list(candidates, 5, tables);
+    constexpr std::uint32_t none = LA_NO_SILHOUETTE;
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 6), {0, 2, 6, none, none, 99}));
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.total, 1), {3}));
+
+    upload(tables.chosen, std::vector<std::uint32_t>(3, 99));
+    stages().silhouette_list(candidates, 2, tables);
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 3), {0, 2, 99})) << "no room for one";
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.total, 1), {3}));
 }
 
 TEST_P(SilhouetteStage, AreNotLaunchedOnATableWithoutRoom) {
     const compute::ChainTables tables{&device()};
-    EXPECT_THROW(stages().silhouette_list({.first = 0, .count = 1}, tables), std::logic_error);
+    EXPECT_THROW(stages().silhouette_list({.first = 0, .count = 1}, 1, tables), std::logic_error);
     const auto one = device().allocate(4);
     const struct {
         compute::Buffer &segments, &front;
@@ -64,19 +77,6 @@ TEST_P(SilhouetteStage, AreNotLaunchedOnATableWithoutRoom) {
                  std::logic_error);
 }
 
-TEST_P(SilhouetteStage, TakesTablesOfTheLaunchBeforeThoseOfGroups) {
-    compute::ChainTables tables{&device()}; // whose numbers have no room
-    upload(tables.chosen, std::vector<std::uint32_t>(1, 99));
-    upload(tables.positions, std::vector<std::uint32_t>(2, 99));
-    const auto numbers = put(std::vector<std::uint32_t>{0, 0, 1});
-    stages().launch<compute::kernels::silhouette_list>(
-        2, {.count = 2, .first = 0, .replaced = 2, .contours = 2}, {.numbers = numbers.get()},
-        tables);
-    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 1), {1}));
-}
-
-} // namespace
-} // namespace lineatlas::test
 // A launch without a table that no group has does not compile.
 struct WithoutNumbers {
     compute::Buffer &segments, &front;
@@ -88,3 +88,17 @@ static_assert(std::is_same_v<decltype(compute::kernels::silhouette::Own<WithoutN
 static_assert(!std::is_default_constructible_v<compute::kernels::OwnTable<false>>);
 static_assert(std::is_default_constructible_v<compute::kernels::OwnTable<true>>);
 
+TEST_P(SilhouetteStage, TakesTablesOfTheLaunchBeforeThoseOfGroups) {
+    compute::ChainTables tables{&device()}; // whose numbers have no room
+    upload(tables.chosen, std::vector<std::uint32_t>(1, 99));
+    upload(tables.positions, std::vector<std::uint32_t>(2, 99));
+    upload(tables.total, std::vector<std::uint32_t>(1, 99));
+    const auto numbers = put(std::vector<std::uint32_t>{0, 0, 1});
+    stages().launch<compute::kernels::silhouette_list>(
+        2, {.count = 2, .first = 0, .replaced = 2, .contours = 2, .capacity = 1},
+        {.numbers = numbers.get()}, tables);
+    EXPECT_TRUE(equal(get<std::uint32_t>(*tables.chosen, 1), {1}));
+}
+
+} // namespace
+} // namespace lineatlas::test

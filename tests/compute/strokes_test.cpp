@@ -72,12 +72,17 @@ class Drawing {
         const auto ends =
             device().allocate(compute::stroke_ends(device().tuning(), viewport) * sizeof(la_uint));
         const auto entries = device().allocate(capacity * sizeof(la_uint));
-        const compute::StrokeLists lists{*ends, *entries, capacity};
-        stages_.list_strokes(
-            {{*run_table, *records, record.points[0]}, viewport, 0.5F * how_.width, lists});
+        const auto total = device().allocate(sizeof(la_uint));
+        const compute::StrokeLists lists{*ends, *entries, *total, capacity};
+        const auto room = static_cast<std::uint32_t>(run_table->size() / sizeof(Run));
+        const compute::RunTable table{*run_table, *records, room};
+        stages_.list_strokes({table, viewport, 0.5F * how_.width, lists});
+        const la_uint ends_total =
+            read_back<la_uint>(device(), *ends, compute::stroke_ends(device().tuning(), viewport))
+                .back();
+        EXPECT_EQ(read_back<la_uint>(device(), *total, 1)[0], ends_total);
         const auto mark = to_device(device(), how_.mark.empty() ? std::vector{0.0F} : how_.mark);
-        stages_.draw_strokes({.runs = *run_table,
-                              .run_count = record.points[0],
+        stages_.draw_strokes({.runs = table,
                               .lists = lists,
                               .alpha = *samples,
                               .viewport = viewport,

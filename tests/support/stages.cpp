@@ -348,11 +348,12 @@ std::vector<std::uint8_t> FrameStages::strokes(const Camera& camera, const Frame
     const auto entries = device_->allocate(capacity * sizeof(la_uint));
     const auto coverage = device_->allocate(pixels);
     const auto shown = device_->allocate(capacity * sizeof(la_uint));
-    const compute::StrokeLists lists{*ends, *entries, capacity};
+    const auto total = device_->allocate(sizeof(la_uint));
+    const compute::StrokeLists lists{*ends, *entries, *total, capacity};
+    const compute::RunTable table{*runs, *record, count};
     for (const bool again : {false, true}) {
-        stages_.list_strokes({{*runs, *record, count}, viewport, settings_.half_width, lists});
-        stages_.draw_strokes({.runs = *runs,
-                              .run_count = count,
+        stages_.list_strokes({table, viewport, settings_.half_width, lists});
+        stages_.draw_strokes({.runs = table,
                               .lists = lists,
                               .alpha = *alpha,
                               .viewport = viewport,

@@ -110,6 +110,7 @@ struct PensArgs {
 struct StrokeLists {
     Buffer& ends;           ///< out: a uint32 per tile and chunk of runs, and the number of all
     Buffer& entries;        ///< out: uint32 each
+    Buffer& total;          ///< out: the number of all, one uint32
     std::uint32_t capacity; ///< of `entries`; beyond it nothing is written
 };
 
@@ -130,8 +131,7 @@ struct StrokeListArgs {
 
 /// One pen's strokes.
 struct StrokeArgs {
-    Buffer& runs;
-    std::uint32_t run_count;
+    RunTable runs;
     StrokeLists lists; ///< of these runs
     Buffer& alpha;     ///< as in SegmentAtlas
     glm::vec2 viewport;

@@ -1,5 +1,6 @@
 #include "silhouette_chains.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -44,19 +45,25 @@ void Stages::contour_places(const ChainArgs& args, Buffer& front) {
 
 void Stages::silhouette(const SegmentTable& table, Buffer& front, const ChainTables& tables) {
     const std::uint32_t count = table.candidates.kept_edges();
-    launch<kernels::silhouette>(
-        count, {.count = count, .first = table.candidates.first, .replaced = count, .contours = 0},
-        {.front = &front}, table, tables);
+    launch<kernels::silhouette>(count,
+                                {.count = count,
+                                 .first = table.candidates.first,
+                                 .replaced = count,
+                                 .contours = 0,
+                                 .capacity = 0},
+                                {.front = &front}, table, tables);
     scan(*tables.numbers, table.candidates.drawable(), ScanKind::saturate);
 }
 
-void Stages::silhouette_list(const SilhouetteCandidates& candidates, const ChainTables& tables) {
+void Stages::silhouette_list(const SilhouetteCandidates& candidates, std::uint32_t capacity,
+                             const ChainTables& tables) {
     const std::uint32_t count = candidates.drawable();
     launch<kernels::silhouette_list>(count,
                                      {.count = count,
                                       .first = candidates.first,
                                       .replaced = candidates.kept_edges(),
-                                      .contours = candidates.edges()},
+                                      .contours = candidates.edges(),
+                                      .capacity = capacity},
                                      tables);
 }
 
@@ -72,9 +79,10 @@ void Stages::chain(const ChainArgs& args) {
                                .follows = args.positions_before != nullptr ? 1U : 0U,
                                .outside = args.view.from_outside ? 1U : 0U};
     launch<kernels::chain_link>(args.count, parameters, args.table, candidates, tables, args);
-    // A stretch is twice as long after each step. A loop is recognised when its stretch has gone
-    // round.
-    const auto steps = static_cast<std::uint32_t>(std::bit_width(args.count)) + 2;
+    // A loop is recognised when its stretch has gone round.
+    constexpr std::uint32_t doublings = std::bit_width(LA_WAY_GROWTH) - 1; // in each step
+    const std::uint32_t steps =
+        divide_up(static_cast<std::uint32_t>(std::bit_width(args.count)) + 2, doublings);
     device_.clear(*tables.going, steps * sizeof(la_uint));
     parameters.count = 2 * args.count;
     Buffer* from = tables.ways.get();
@@ -95,6 +103,7 @@ void Stages::chain(const ChainArgs& args) {
 void SilhouetteChains::release() {
     tables_ = {&device_};
     crossings_.release();
+    last_total_.reset();
     first_ = count_ = 0;
     has_order_ = false;
     fixed_of_ = nullptr;
@@ -104,7 +113,7 @@ void SilhouetteChains::release() {
 SegmentTable SilhouetteChains::without(const SegmentTable& table) {
     first_ = table.segment_count - table.candidates.count;
     count_ = 0;
-    has_order_ = false;
+    is_guessed_ = has_order_ = false;
     SegmentTable result = table;
     result.segment_count = first_;
     return result;
@@ -124,11 +133,36 @@ void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
     tables_.positions.make_room(table.candidates.count * sizeof(la_uint));
     first_ = table.candidates.first;
     stages_.silhouette(table, front, tables_);
-    count_ = read_one<la_uint>(device_, *tables_.numbers, table.candidates.drawable());
+    count_silhouettes(table.candidates);
     has_order_ = true;
     if (count_ == 0) return;
     tables_.chosen.make_room(std::uint64_t{count_} * sizeof(la_uint));
-    stages_.silhouette_list(table.candidates, tables_);
+    tables_.total.fit(sizeof(la_uint));
+    stages_.silhouette_list(table.candidates, count_, tables_);
+    if (is_guessed_)
+        device_.begin_download(*tables_.total, std::as_writable_bytes(std::span{&total_, 1}));
+}
+
+void SilhouetteChains::count_silhouettes(const SilhouetteCandidates& candidates) {
+    const std::uint32_t most = candidates.drawable();
+    is_guessed_ = guesses_ && last_total_ && most > 0 && traced_.segments.empty();
+    if (is_guessed_) {
+        constexpr std::uint32_t some = 256;
+        const std::uint64_t guess = std::uint64_t{*last_total_} + *last_total_ / 4 + some;
+        count_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(guess, most));
+        return;
+    }
+    count_ = read_one<la_uint>(device_, *tables_.numbers, most);
+    last_total_ = count_;
+}
+
+bool SilhouetteChains::settle() {
+    if (!is_guessed_) return true;
+    is_guessed_ = false;
+    last_total_ = total_;
+    const bool fits = total_ <= count_;
+    count_ = std::min(count_, total_);
+    return fits;
 }
 
 void SilhouetteChains::place_contours(const SegmentTable& table, Buffer& front,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ struct ChainTables {
     Table positions{*device, table::chain_positions}; ///< a uint32 per candidate
     Table ordered{*device, table::chain_ordered}; ///< `Segment` each, from the first fixed one on
     Table chosen{*device, table::chain_chosen};   ///< a uint32 per silhouette
+    Table total{*device, table::chain_total};     ///< a uint32: how many there are
     Table ways{*device, table::chain_ways};       ///< scratch: two `ChainWay` per silhouette
     Table longer{*device, table::chain_longer};   ///< scratch: the same
     Table going{*device, table::chain_going};   ///< scratch: a uint32 for each of most_chain_steps
@@ -42,7 +44,7 @@ struct ChainArgs {
     SilhouetteView view;
     /// Contours are drawn at the lifted places, where their visibility is tested.
     bool lifted;
-    std::uint32_t count; ///< silhouettes, above 0
+    std::uint32_t count; ///< silhouettes that there is room for, above 0
     const ChainTables& tables;
     Buffer* crossings = nullptr; ///< `ContourCrossing` per silhouette; null: no contours
     /// `positions` of the frame before, from which chains keep names and directions; null: there is
@@ -51,7 +53,7 @@ struct ChainArgs {
 };
 
 /// Steps in which the ways of any number of silhouettes get to their ends.
-inline constexpr std::uint32_t most_chain_steps = 34;
+inline constexpr std::uint32_t most_chain_steps = 17;
 
 /// How a frame sees the silhouettes of a model.
 inline SilhouetteView silhouette_view(const Camera& camera, const Bounds& bounds) {
@@ -95,10 +97,18 @@ class SilhouetteChains {
     void forget_lines() {
         fixed_of_ = nullptr;
         vertices_of_ = {};
+        last_total_.reset();
     }
+    /// Whether the next frames take as many silhouettes as the frame before had, and some more, and
+    /// do not wait for their number. Then settle() must follow each.
+    void guess(bool on) { guesses_ = on; }
+    /// Call when the device is done with a frame. Returns false if it had more silhouettes than
+    /// there was room for; then it must be found again.
+    bool settle();
 
     /// The table of a frame, with the silhouettes that `view` shows, or with none unless they are
-    /// `wanted`. Waits for their number. `clock(name, action)` runs a stage.
+    /// `wanted`. Waits for their number, unless it was guessed; then the last segments may be none
+    /// that any frame draws. `clock(name, action)` runs a stage.
     template <class Clock>
     SegmentTable table_of(const SegmentTable& candidates, bool wanted, const SilhouetteView& view,
                           Clock&& clock) {
@@ -133,6 +143,7 @@ class SilhouetteChains {
     /// Empty if there were none.
     std::vector<std::uint32_t> read_origins() const;
     std::uint32_t first() const { return first_; } ///< the first segment that is a silhouette
+    std::uint32_t count() const { return count_; } ///< the number of silhouettes
     /// The order for `temporal`. `positions_before` must hold as many as `table.candidates`. Only
     /// if has_order().
     ChainOrder order(const SegmentTable& table, Buffer& positions_before) const;
@@ -152,6 +163,8 @@ class SilhouetteChains {
                 positions_before_};
     }
     void list(const SegmentTable& table, Buffer& front);
+    /// Finds how many silhouettes there are, or guesses.
+    void count_silhouettes(const SilhouetteCandidates& candidates);
     /// found: silhouettes that the device has found; traced ones follow them.
     void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view,
                         std::uint32_t found);
@@ -169,7 +182,11 @@ class SilhouetteChains {
     Contours drawn_;
     TracedSilhouettes traced_;
     std::uint32_t first_ = 0;
-    std::uint32_t count_ = 0; ///< silhouettes of the last frame
+    std::uint32_t count_ = 0; ///< silhouettes of the last frame, or room for them until settle()
+    bool guesses_ = false;
+    bool is_guessed_ = false;                 ///< count_
+    std::optional<std::uint32_t> last_total_; ///< silhouettes of the frame before
+    std::uint32_t total_ = 0;                 ///< of the device, after a guess
     bool has_order_ = false;
     Buffer* positions_before_ = nullptr;
     const Buffer* fixed_of_ = nullptr; ///< the table whose fixed lines stand in `ordered`

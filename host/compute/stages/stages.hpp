@@ -100,7 +100,9 @@ class Stages {
     void contour(const SegmentTable& table, const glm::vec4& eye, const ChainTables& tables);
     /// Which candidates are silhouettes. `front`: of `facing`.
     void silhouette(const SegmentTable& table, Buffer& front, const ChainTables& tables);
-    void silhouette_list(const SilhouetteCandidates& candidates, const ChainTables& tables);
+    /// `capacity`: silhouettes that `tables` have room for.
+    void silhouette_list(const SilhouetteCandidates& candidates, std::uint32_t capacity,
+                         const ChainTables& tables);
     /// Where contours cross faces. Call contour() for the same eye before.
     void contour_places(const ChainArgs& args, Buffer& front);
     void chain(const ChainArgs& args);

@@ -36,7 +36,8 @@ void Stages::list_strokes(const StrokeListArgs& args) {
 void Stages::draw_strokes(const StrokeArgs& args) {
     const TileRange tiles = part_tiles(args.part);
     const auto tile_count = static_cast<std::uint32_t>(tiles.count.x * tiles.count.y);
-    StrokesParameters parameters{.count = args.run_count,
+    const std::uint32_t run_count = args.runs.capacity; // or fewer
+    StrokesParameters parameters{.count = run_count,
                                  .tiles = stroke_tiles(args.viewport),
                                  .chunks = stroke_chunks(tuning_, args.viewport),
                                  .capacity = args.lists.capacity,
@@ -59,22 +60,23 @@ void Stages::draw_strokes(const StrokeArgs& args) {
                                                                   : glm::ivec2{0},
                                  .per_cell = 1 / static_cast<float>(density_cell(args.viewport))};
     constexpr std::size_t box_words = sizeof(StrokeBox) / sizeof(la_uint);
-    Buffer& boxes = stroke_boxes_.with_room(tuning_.stroke_pixels ? args.run_count * box_words : 1);
+    Buffer& boxes = stroke_boxes_.with_room(tuning_.stroke_pixels ? run_count * box_words : 1);
     if (tuning_.stroke_pixels)
-        launch<kernels::strokes_boxes>(args.run_count, parameters, {.boxes = &boxes}, args);
+        launch<kernels::strokes_boxes>(run_count, parameters, {.boxes = &boxes}, args.runs, args);
     // No list is longer than all runs are; no loop than the device allows.
     do {
         parameters.begin = parameters.end;
-        parameters.end += std::min(tuning_.longest_chunk, args.run_count - parameters.end);
+        parameters.end += std::min(tuning_.longest_chunk, run_count - parameters.end);
         if (tuning_.stroke_pixels) {
             const std::uint32_t pixels = LA_STROKE_TILE * LA_STROKE_TILE / tuning_.depth_lanes;
             launch<kernels::strokes_pixels>(tile_count * pixels, parameters, {.boxes = &boxes},
-                                            args, args.lists);
+                                            args.runs, args, args.lists);
         } else {
-            launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, args, args.lists);
+            launch_grouped<kernels::strokes_tiles>(tile_count, 1, parameters, args.runs, args,
+                                                   args.lists);
         }
         parameters.again = 1;
-    } while (parameters.end < args.run_count);
+    } while (parameters.end < run_count);
 }
 
 } // namespace lineatlas::compute

@@ -51,9 +51,9 @@ inline constexpr TableName depth_texels{"depth", depth}, seen_numbers{"seen numb
     records{"records", strokes}, raw_runs{"raw runs", strokes}, halo_cuts{"halo cuts", halos},
     halo_lists{"halo lists", halos}, density_weights{"density weights", density},
     density_grid{"density grid", density}, stroke_ends{"stroke ends", strokes},
-    stroke_entries{"stroke entries", strokes}, coverage{"coverage", strokes},
-    shown_tiles{"shown tiles", strokes}, shaded_colors{"shaded colors", fill},
-    pixels{"pixels", picture};
+    stroke_total{"stroke total", strokes}, stroke_entries{"stroke entries", strokes},
+    coverage{"coverage", strokes}, shown_tiles{"shown tiles", strokes},
+    shaded_colors{"shaded colors", fill}, pixels{"pixels", picture};
 
 // What `temporal` keeps of the frame before.
 inline constexpr TableName alpha_before{"alpha before", atlas},
@@ -64,10 +64,10 @@ inline constexpr TableName alpha_before{"alpha before", atlas},
 inline constexpr TableName chain_front{"chain front", segments},
     chain_numbers{"chain numbers", segments}, chain_positions{"chain positions", segments},
     chain_ordered{"chain ordered", segments}, chain_chosen{"chain chosen", segments},
-    chain_ways{"chain ways", segments}, chain_longer{"chain longer", segments},
-    chain_going{"chain going", segments}, chain_places{"chain places", segments},
-    chain_starts{"chain starts", segments}, chain_origins{"chain origins", segments},
-    contour_vertices{"contour vertices", segments},
+    chain_total{"chain total", segments}, chain_ways{"chain ways", segments},
+    chain_longer{"chain longer", segments}, chain_going{"chain going", segments},
+    chain_places{"chain places", segments}, chain_starts{"chain starts", segments},
+    chain_origins{"chain origins", segments}, contour_vertices{"contour vertices", segments},
     contour_crossings{"contour crossings", segments};
 inline constexpr TableName carry_memory{"carry memory", segments},
     carry_lengths{"carry lengths", segments}, carry_found{"carry found", segments},
