@@ -37,8 +37,9 @@ TEST(KernelResources, RegistersStandInTheLogOfABuild) {
 
 template <class T>
 void append(Bytes& bytes, const T& value) {
-    const auto* begin = reinterpret_cast<const unsigned char*>(&value);
-    bytes.insert(bytes.end(), begin, begin + sizeof value);
+    // GCC 12 warns of insert() at the end of an empty vector.
+    bytes.resize(bytes.size() + sizeof value);
+    std::memcpy(bytes.data() + bytes.size() - sizeof value, &value, sizeof value);
 }
 
 void append_note(Bytes& bytes, std::uint32_t type, const char* owner, const Bytes& content) {
