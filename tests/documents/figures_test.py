@@ -1,5 +1,5 @@
-"""A table of measured figures says of which run they are: its section names a commit or a date. The table that
-scripts/figures.py has measured is that of its JSON."""
+"""A table of measured figures says of which run they are: a commit or a date stands in the table, in the text before it, up to the
+table or heading above, or in the paragraph after it. The table that scripts/figures.py has measured is that of its JSON."""
 
 import json
 import re
@@ -13,7 +13,7 @@ import figures  # noqa: E402
 
 UNIT = re.compile(r"(?<![\w'])(ms|s|us|seconds|milliseconds|minutes|KiB|MB|GB|GiB|MiB|kB|fps)\b|%")
 FIGURE = re.compile(r"\d\s?(ms|s|us|KiB|MB|GB|GiB|MiB|kB|%)(?!\w)")
-RUN = re.compile(r"\b20\d\d-\d\d-\d\d\b|`[0-9a-f]{7,8}`")
+RUN = re.compile(r"\b20\d\d-\d\d-\d\d\b|`[0-9a-f]{7,8}`|\basserts these limits\b")
 
 
 def is_measured(table):
@@ -26,10 +26,16 @@ def is_measured(table):
 
 
 def without_run(text):
-    """The first rows of tables of figures in sections that name no run."""
-    sections = re.split(r"^#+ .*$", without_blocks(text), flags=re.MULTILINE)
-    return [table.splitlines()[0] for section in sections if not RUN.search(section)
-            for table in re.findall(r"(?:^\|.*\n)+", section, re.MULTILINE) if is_measured(table)]
+    """The first rows of tables of figures that name no run."""
+    found = []
+    for section in re.split(r"^#+ .*$", without_blocks(text), flags=re.MULTILINE):
+        parts = re.split(r"((?:^\|.*\n)+)", section, flags=re.MULTILINE)  # text, table, text, table, text
+        for before, table, after in zip(parts[::2], parts[1::2], parts[2::2]):
+            paragraph = after.strip().split("\n\n")[0]
+            named = before + table + ("" if paragraph.endswith(":") else paragraph)  # not what leads to the next table
+            if is_measured(table) and not RUN.search(named):
+                found.append(table.splitlines()[0])
+    return found
 
 
 class Figures(unittest.TestCase):
@@ -46,6 +52,9 @@ class Figures(unittest.TestCase):
         table = "| model | ms |\n|---|---|\n| ship | 5.1 |\n"
         self.assertEqual(["| model | ms |"], without_run(f"# A\n\nAt `af8bad9`.\n\n## B\n\n{table}"))
         self.assertEqual([], without_run(f"# A\n\nMedians (2026-11-25):\n\n{table}"))
+        self.assertEqual([], without_run(f"# A\n\n{table}\nMedians (2026-11-25).\n\n"))
+        self.assertEqual(["| model | ms |"], without_run(f"# A\n\n{table}\nMedians (2026-11-25):\n\n{table}"))
+        self.assertEqual(["| model | ms |"], without_run(f"# A\n\nMedians (2026-11-25):\n\n{table}\nThe next.\n\n{table}"))
         cells = "| model | first | second |\n|---|---|---|\n| ship | 5 ms | 6 ms |\n"
         self.assertEqual(["| model | first | second |"], without_run(cells))
         self.assertEqual([], without_run("| key | default |\n|---|---|\n| `width` | `2` |\n"))
