@@ -2,7 +2,9 @@
 table or heading above, or in the paragraph after it. The table that scripts/figures.py has measured is that of its JSON."""
 
 import json
+import os
 import re
+import subprocess
 import sys
 import unittest
 
@@ -65,6 +67,26 @@ class Figures(unittest.TestCase):
         run = json.loads(figures.FILE.read_text())["run"]
         self.assertIn(f"`{run['commit']}` of {run['date']}, [command, machine and figures](figures/{figures.FILE.name})", text)
         self.assertNotIn("/", run["command"])  # models by their names
+
+    def test_measuring_refuses_to_drop_models(self):
+        models = re.findall(r"--model (\S+)", json.loads(figures.FILE.read_text())["run"]["command"])
+        self.assertGreater(len(models), 2)
+        self.assertEqual([], figures.left_out([f"a/{model}" for model in models]))
+        done = subprocess.run([sys.executable, figures.__file__, "measure", *models[1:]], capture_output=True, text=True)
+        self.assertEqual(2, done.returncode)
+        self.assertIn(f"the rows of {models[0]}:", done.stderr)
+
+    def test_measuring_leaves_the_file_whole_if_the_tool_fails(self):
+        models = re.findall(r"--model (\S+)", json.loads(figures.FILE.read_text())["run"]["command"])
+        before = figures.FILE.read_bytes()
+        done = subprocess.run([sys.executable, figures.__file__, "measure", *models], capture_output=True, text=True,
+                              env={**os.environ, "LINEATLAS_TOOL": "false"})
+        self.assertEqual(2, done.returncode)
+        self.assertIn("name the tool's --commit", done.stderr)
+        done = subprocess.run([sys.executable, figures.__file__, "measure", *models, "--commit", "0"], capture_output=True, text=True,
+                              env={**os.environ, "LINEATLAS_TOOL": "false"})
+        self.assertEqual(1, done.returncode)
+        self.assertEqual(before, figures.FILE.read_bytes())
 
 
 if __name__ == "__main__":
