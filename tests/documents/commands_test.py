@@ -134,8 +134,11 @@ class Commands(unittest.TestCase):
         self.assertGreater(read, 4)
 
     def test_a_file_of_toml_that_is_wrong_is_refused(self):
-        for text in ["widht = 2\n", "session = 1\nmodel = \"model.obj\"\nnothing = 1\n", "nothing = 1\n[[views]]\nview = \"front\"\n"]:
-            self.assertNotEqual(0, self.read("wrong.toml", text).returncode)
+        for key, text in [("widht", "widht = 2\n"), ("stlye", "session = 1\nmodel = \"model.obj\"\nstlye = 1\n"),
+                          ("scael", "scael = 1\n[[views]]\nview = \"front\"\n")]:
+            done = self.read("wrong.toml", text)
+            self.assertNotEqual(0, done.returncode)
+            self.assertIn(key, done.stderr)
 
     def test_circles_are_circles(self):
         page = (ROOT / "docs/solves.md")
