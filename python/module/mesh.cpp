@@ -389,15 +389,16 @@ void bind_mesh(py::module_& module) {
         py::arg("path"), py::kw_only(), py::arg("deflection") = 0.0F, py::arg("pixels") = 1280.0F,
         py::arg("read_memory") = 0.0F, py::arg("read_seconds") = 0.0F,
         py::arg("progress") = py::none(),
-        ("Reads a file of one of these types: " + model_type_names() + ".\nRaises FileError.\n\n"
-        "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
-        "millimetres; 0: a quarter of a pixel of a drawing in which the model's diagonal has\n"
-        "`pixels` pixels. They are read by a process of their own, so that damaged files cannot\n"
-        "end this one; read_memory (GiB) and read_seconds\n"
-        "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.\n\n"
-        "progress: called with the share that is done, 0 to 1; Cancelled is raised once it "
-        "returns\n"
-        "False.")
+        ("Reads a file of one of these types: " + model_type_names() +
+         ".\nRaises FileError.\n\n"
+         "STEP, IGES and BREP: deflection is how far chords may be off curved faces, in\n"
+         "millimetres; 0: a quarter of a pixel of a drawing in which the model's diagonal has\n"
+         "`pixels` pixels. They are read by a process of their own, so that damaged files cannot\n"
+         "end this one; read_memory (GiB) and read_seconds\n"
+         "limit it, 0: 2 GiB and 32 times the file's size, a minute and a second for each MB.\n\n"
+         "progress: called with the share that is done, 0 to 1; Cancelled is raised once it "
+         "returns\n"
+         "False.")
             .c_str());
     bind_scene(module);
 }

@@ -33,9 +33,9 @@ void declare(CLI::App& app, Arguments& a) {
     app.add_option("MODEL", a.models,
                    "Files that `draw` takes, sessions too; several stand side by side; default an "
                    "empty window");
-    app.add_option("--scene", a.scene,
-                   fmt::format("A built-in scene in place of MODEL: {}",
-                               fmt::join(scene_names(), ", ")));
+    app.add_option(
+        "--scene", a.scene,
+        fmt::format("A built-in scene in place of MODEL: {}", fmt::join(scene_names(), ", ")));
     app.add_option("--style", a.style, "Name of a style, or a TOML file");
     app.add_option("--camera", a.camera, "A camera to begin with: JSON, as the viewer saves it");
     app.add_option("--up", a.up,
