@@ -715,8 +715,13 @@ class PathCurves::Finder {
     }
 
     /// The circle that goes through all points of a closed silhouette, as of a sphere of splines.
+    /// Between few points, or points far apart, the silhouette may leave the circle.
     static std::optional<VectorArc> circle_of(std::span<const glm::dvec2> points) {
         constexpr double off = 0.5 * most_off_surface;
+        constexpr std::size_t fewest = 12;
+        constexpr double widest = 30.5 / 360 * turn; // a twelfth of a circle, and rounding
+        constexpr double least_sagitta = 0.06;       // pixels, by which points are left out
+        if (points.size() <= fewest) return {};      // the first one is the last one, too
         const std::optional<Circle> circle = fit_circle(points);
         if (!circle) return {};
         double sweep = 0;
@@ -724,7 +729,9 @@ class PathCurves::Finder {
             if (std::abs(circle->distance(points[i])) > off) return {};
             if (i == 0) continue;
             const double step = circle->angle(points[i - 1], points[i]);
-            if (!(step * sweep >= 0) || !(std::abs(step) < longest_step)) return {};
+            const double width = std::abs(step);
+            if (!(step * sweep >= 0) || !(width < widest || circle->sagitta(width) < least_sagitta))
+                return {};
             sweep += step;
         }
         if (std::abs(std::abs(sweep) - turn) > 0.5 * turn) return {}; // no turn, or several
@@ -755,7 +762,8 @@ class PathCurves::Finder {
                 for (std::uint32_t i = first; i <= last; ++i) points.push_back(path.points[i].at);
                 const bool whole = path.closed && first == 0 && last == count;
                 const bool on_mesh = steps[first].on_mesh;
-                const auto circle = whole && !on_mesh ? circle_of(points) : std::nullopt;
+                const auto circle =
+                    whole && steps[first].on_surface ? circle_of(points) : std::nullopt;
                 if (circle) {
                     curves.push_back(
                         {.first = first, .last = last, .arc = *circle, .edge = steps[first].edge});

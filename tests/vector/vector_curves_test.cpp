@@ -122,6 +122,43 @@ std::size_t count(const std::string& text, const std::string& what) {
     return found;
 }
 
+/// A closed line of the file, without a curve of its own.
+Round loop_through(std::vector<glm::vec3> points) {
+    points.push_back(points.front());
+    Round round;
+    round.add_through(points);
+    round.end_path(true);
+    return round;
+}
+
+// Their corners lie on a circle, but their sides do not.
+TEST(Curves, PolygonsAreNoCircles) {
+    for (const int corners : {4, 6, 8, 12, 20}) {
+        SCOPED_TRACE(corners);
+        std::vector<glm::vec3> points;
+        for (int i = 0; i < corners; ++i) points.push_back(Round::at(circle, 2 * pi * i / corners));
+        for (const VectorPath& path : drawn_whole(loop_through(points)).paths)
+            for (const VectorCurve& curve : path.curves) EXPECT_TRUE(curve.cubic);
+    }
+    const VectorDrawing rectangle =
+        drawn_whole(loop_through({{70, 30, 0.5}, {130, 30, 0.5}, {130, 70, 0.5}, {70, 70, 0.5}}));
+    ASSERT_EQ(rectangle.paths.size(), 1U);
+    EXPECT_TRUE(rectangle.paths[0].curves.empty());
+}
+
+TEST(Curves, ASuperellipseIsNoCircle) {
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 64; ++i) {
+        const double c = std::cos(2 * pi * i / 64), s = std::sin(2 * pi * i / 64);
+        const double reach = 40 / std::sqrt(std::sqrt(c * c * c * c + s * s * s * s));
+        points.emplace_back(100 + reach * c, 50 + reach * s, 0.5);
+    }
+    const VectorDrawing drawing = drawn_whole(loop_through(points));
+    ASSERT_EQ(drawing.paths.size(), 1U);
+    EXPECT_FALSE(drawing.paths[0].curves.empty());
+    for (const VectorCurve& curve : drawing.paths[0].curves) EXPECT_TRUE(curve.cubic);
+}
+
 TEST(Curves, AWholeCircleIsOne) {
     Round round;
     round.add_arc(circle, 0, 2 * pi, 24);
