@@ -133,9 +133,9 @@ class Joints {
 
     static void append_part(VectorPath& path, VectorPath next) {
         const double length = length_of(path), next_length = length_of(next);
-        path.alpha =
-            static_cast<float>((double{path.alpha} * length + double{next.alpha} * next_length) /
-                               (length + next_length));
+        if (const double whole = length + next_length; whole > 0)
+            path.alpha = static_cast<float>(
+                (double{path.alpha} * length + double{next.alpha} * next_length) / whole);
         double arc = path.points.back().arc;
         for (std::size_t i = 1; i < next.points.size(); ++i) {
             arc += glm::distance(next.points[i - 1].at, next.points[i].at);
