@@ -1,13 +1,17 @@
 #include "cut_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/edge_curve.hpp"
@@ -25,9 +29,14 @@ class CurveFinder {
         : cut_(cut), mesh_(cut.mesh), plane_(plane), plain_shapes_(mesh_.surfaces.shapes.size()) {}
 
     void find() {
-        for (const CutStep& step : cut_.steps) curve_of_step_.push_back(curve_of(step));
+        if (mesh_.surfaces.empty()) return;
+        for (const CutStep& step : cut_.steps) curve_of_step_.push_back(known_curve_of(step));
+        // What is none of these is not known before all of them are.
+        for (std::size_t i = 0; i < cut_.steps.size(); ++i)
+            if (curve_of_step_[i] == none) curve_of_step_[i] = other_curve_of(cut_.steps[i]);
         if (curves_.empty()) return;
         move_places();
+        divide_steps();
         number_curves();
         for (const CurveSteps& steps : steps_of_curves())
             for (const std::uint32_t i : steps)
@@ -40,8 +49,11 @@ class CurveFinder {
   private:
     struct Curve {
         std::uint32_t surface;
-        std::optional<EdgeCurve> ellipse; ///< nothing: the curve is known by its places alone
-        std::uint32_t number = none;      ///< of its edge
+        bool is_straight = false;
+        std::optional<EdgeCurve> ellipse{}; ///< nothing: lines, or known by its places alone
+        std::uint32_t number = none;        ///< of its edge
+
+        bool is_of_places() const { return !ellipse && !is_straight; }
     };
 
     /// What a place of the cut lies on: a curve, or else the line of a step.
@@ -87,28 +99,55 @@ class CurveFinder {
                glm::distance(nearest(curve, at(step.to)), at(step.to)) < most_off;
     }
 
-    std::uint32_t curve_of(const CutStep& step) {
-        if (mesh_.surfaces.empty()) return none;
-        const std::uint32_t surface = mesh_.surfaces.of_triangle[step.triangle];
+    std::uint32_t surface_of(const CutStep& step) const {
+        return mesh_.surfaces.of_triangle[step.triangle];
+    }
+
+    /// The ellipse or the lines that a step runs along.
+    std::uint32_t known_curve_of(const CutStep& step) {
+        const std::uint32_t surface = surface_of(step);
         if (surface == KnownSurfaces::none) return none;
-        // A plane may cut a surface in two curves, as a torus.
-        std::vector<std::uint32_t>& known = curves_of_surface_[surface];
-        for (const std::uint32_t curve : known)
-            if (!curves_[curve].ellipse || is_along(step, *curves_[curve].ellipse)) return curve;
+        if (const std::uint32_t curve = ellipse_along(step); curve != none) return curve;
         const PlacedSurface& placed = mesh_.surfaces.surfaces[surface];
+        const SurfaceShape& plain = plain_of(placed.shape);
+        if (is_cut_straight(plain, placed, plane_.origin, plane_.normal)) {
+            for (const std::uint32_t curve : curves_of_surface_[surface])
+                if (curves_[curve].is_straight) return curve;
+            return add_curve({.surface = surface, .is_straight = true});
+        }
         const std::optional<glm::dvec2> parameters = parameters_at(step, step.from);
         if (!parameters) return none;
         const std::optional<SurfaceCurve> curve =
-            plane_section(mesh_.surfaces.shapes[placed.shape], plain_of(placed.shape), placed,
-                          plane_.origin, plane_.normal, *parameters);
-        std::optional<EdgeCurve> ellipse;
-        if (curve) {
-            ellipse = {.center = curve->point, .u = curve->u, .v = curve->v};
-            if (!is_along(step, *ellipse)) return none;
-        }
-        known.push_back(static_cast<std::uint32_t>(curves_.size()));
-        curves_.push_back({surface, ellipse});
-        return known.back();
+            plane_section(mesh_.surfaces.shapes[placed.shape], plain, placed, plane_.origin,
+                          plane_.normal, *parameters);
+        if (!curve) return none;
+        const EdgeCurve ellipse{.center = curve->point, .u = curve->u, .v = curve->v};
+        return is_along(step, ellipse) ? add_curve({.surface = surface, .ellipse = ellipse}) : none;
+    }
+
+    /// A plane may cut a surface in two ellipses, as a torus.
+    std::uint32_t ellipse_along(const CutStep& step) {
+        for (const std::uint32_t curve : curves_of_surface_[surface_of(step)])
+            if (curves_[curve].ellipse && is_along(step, *curves_[curve].ellipse)) return curve;
+        return none;
+    }
+
+    /// The ellipse that a step runs along though none was found from there, or else the curve that
+    /// is known by its places alone.
+    std::uint32_t other_curve_of(const CutStep& step) {
+        const std::uint32_t surface = surface_of(step);
+        if (surface == KnownSurfaces::none || !parameters_at(step, step.from)) return none;
+        if (const std::uint32_t curve = ellipse_along(step); curve != none) return curve;
+        for (const std::uint32_t curve : curves_of_surface_[surface])
+            if (curves_[curve].is_of_places()) return curve;
+        return add_curve({.surface = surface});
+    }
+
+    std::uint32_t add_curve(const Curve& curve) {
+        const auto number = static_cast<std::uint32_t>(curves_.size());
+        curves_.push_back(curve);
+        curves_of_surface_[curve.surface].push_back(number);
+        return number;
     }
 
     const SurfaceShape& plain_of(std::uint32_t shape) {
@@ -141,7 +180,7 @@ class CurveFinder {
     }
 
     CurveSteps in_order(const CurveSteps& steps) const {
-        std::map<std::uint32_t, std::uint32_t> by_start;
+        std::multimap<std::uint32_t, std::uint32_t> by_start;
         std::set<std::uint32_t> ends;
         for (const std::uint32_t i : steps) {
             by_start.emplace(cut_.steps[i].from, i);
@@ -149,16 +188,32 @@ class CurveFinder {
         }
         CurveSteps result;
         const auto follow = [&](std::uint32_t position) {
-            for (auto next = by_start.find(position); next != by_start.end();
-                 next = by_start.find(cut_.steps[result.back()].to)) {
-                result.push_back(next->second);
+            auto next = by_start.find(position);
+            while (next != by_start.end()) {
+                const std::uint32_t step = next->second;
+                result.push_back(step);
                 by_start.erase(next);
+                // Where the curve crosses itself, it goes straight on.
+                const auto [first, last] = by_start.equal_range(cut_.steps[step].to);
+                next = std::max_element(first, last, [&](const auto& one, const auto& other) {
+                    return straightness(step, one.second) < straightness(step, other.second);
+                });
+                if (first == last) next = by_start.end();
             }
         };
         for (const std::uint32_t i : steps)
             if (!ends.contains(cut_.steps[i].from)) follow(cut_.steps[i].from);
         while (!by_start.empty()) follow(by_start.begin()->first); // loops
         return result;
+    }
+
+    /// The cosine of the angle by which the cut turns from one step to another.
+    double straightness(std::uint32_t step, std::uint32_t next) const {
+        const auto way = [&](std::uint32_t i) {
+            return at(cut_.steps[i].to) - at(cut_.steps[i].from);
+        };
+        const double lengths = glm::length(way(step)) * glm::length(way(next));
+        return lengths > 0 ? glm::dot(way(step), way(next)) / lengths : -1;
     }
 
     /// What the cut follows at each place, and how far the place may be moved along the plane.
@@ -171,14 +226,17 @@ class CurveFinder {
         std::map<std::uint32_t, Guides> places;
         for (std::size_t i = 0; i < cut_.steps.size(); ++i) {
             const CutStep& step = cut_.steps[i];
-            Guide guide{.curve = curve_of_step_[i],
+            const bool is_straight =
+                curve_of_step_[i] != none && curves_[curve_of_step_[i]].is_straight;
+            Guide guide{.curve = is_straight ? none : curve_of_step_[i],
                         .from = at(step.from),
                         .way = at(step.to) - at(step.from)};
             for (const std::uint32_t position : {step.from, step.to}) {
                 if (guide.curve != none) guide.parameters = parameters_at(step, position);
                 Guides& guides = places[position];
                 guides.reach = std::max(guides.reach, 0.25 * longest_side(step.triangle));
-                if (guide.curve != none || !is_of_curves(step)) guides.all.push_back(guide);
+                if (guide.curve != none || is_straight || !is_of_curves(step))
+                    guides.all.push_back(guide);
             }
         }
         for (auto& [position, guides] : places)
@@ -209,8 +267,11 @@ class CurveFinder {
     /// The place nearby where two guides meet, or the nearest one on the curve if all are one, or
     /// if two meet smoothly.
     std::optional<glm::dvec3> met(glm::dvec3 place, std::span<const Guide> guides) const {
-        const auto first =
-            std::ranges::find_if(guides, [](const Guide& one) { return one.curve != none; });
+        const auto is_on_curve = [](const Guide& one) { return one.curve != none; };
+        auto first = std::ranges::find_if(guides, [&](const Guide& one) {
+            return is_on_curve(one) && (curves_[one.curve].ellipse || one.parameters);
+        });
+        if (first == guides.end()) first = std::ranges::find_if(guides, is_on_curve);
         if (first == guides.end()) return std::nullopt;
         const auto other = std::ranges::find_if(
             guides, [&](const Guide& one) { return one.curve != first->curve; });
@@ -240,7 +301,13 @@ class CurveFinder {
                                  *curve.parameters);
         }
         const std::optional<EdgeCurve>& its = curves_[other.curve].ellipse;
-        return ellipse && its ? crossing(*ellipse, *its, place) : std::nullopt;
+        if (ellipse && its) return crossing(*ellipse, *its, place);
+        if (!curve.parameters || !other.parameters) return std::nullopt;
+        const PlacedSurface &one = mesh_.surfaces.surfaces[curves_[curve.curve].surface],
+                            &two = mesh_.surfaces.surfaces[curves_[other.curve].surface];
+        return place_on_both(mesh_.surfaces.shapes[one.shape], one, *curve.parameters,
+                             mesh_.surfaces.shapes[two.shape], two, *other.parameters,
+                             plane_.origin, plane_.normal);
     }
 
     /// The place of an ellipse on a line, the nearer one of two.
@@ -285,6 +352,152 @@ class CurveFinder {
         const double top = std::atan2(v, u), aside = std::acos(share);
         const glm::dvec3 one = place_on(curve, top + aside), other = place_on(curve, top - aside);
         return glm::distance(one, place) < glm::distance(other, place) ? one : other;
+    }
+
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+    static Ends ends_of(const CutStep& step) {
+        return {std::min(step.from, step.to), std::max(step.from, step.to)};
+    }
+
+    /// Divides steps of curves that are known by their places alone where these turn by so much
+    /// that no smooth curve can be told from the ends.
+    void divide_steps() {
+        // Where parts touch, both are divided alike, or neither is.
+        std::set<Ends> kept;
+        for (std::size_t i = 0; i < cut_.steps.size(); ++i)
+            if (curve_of_step_[i] == none || !curves_[curve_of_step_[i]].is_of_places())
+                kept.insert(ends_of(cut_.steps[i]));
+        std::map<Ends, std::vector<std::uint32_t>> places; // from the lower end on
+        const std::size_t count = cut_.steps.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const CutStep step = cut_.steps[i];
+            if (kept.contains(ends_of(step))) continue;
+            const std::optional<Corners> corners = corners_of(step);
+            if (!corners) continue;
+            const auto [found, is_new] = places.try_emplace(ends_of(step));
+            if (is_new)
+                for (const glm::dvec3& place : places_within(step, *corners)) {
+                    found->second.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+                    mesh_.positions.push_back(plane_.placed(place));
+                }
+            if (is_new && step.from > step.to) std::ranges::reverse(found->second);
+            std::vector<std::uint32_t> between = found->second;
+            if (step.from > step.to) std::ranges::reverse(between);
+            if (!between.empty()) divide(i, *corners, between);
+        }
+    }
+
+    /// The corners of the triangle that has a step as its side.
+    struct Corners {
+        std::uint32_t triangle;
+        std::uint32_t from, to, beside; ///< numbers of corners, 0 to 2
+    };
+
+    std::optional<Corners> corners_of(const CutStep& step) const {
+        const std::size_t end = std::min<std::size_t>(step.triangle + 2, mesh_.triangles.size());
+        for (std::uint32_t i = step.triangle; i < end; ++i)
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const glm::uvec3 t = mesh_.triangles[i];
+                const std::uint32_t next = (k + 1) % 3;
+                if (t[static_cast<int>(k)] == step.to && t[static_cast<int>(next)] == step.from &&
+                    mesh_.surfaces.of_triangle[i] == surface_of(step))
+                    return Corners{i, next, k, (k + 2) % 3};
+            }
+        return std::nullopt;
+    }
+
+    /// Places of the curve within a step, from its start on; none if it hardly turns.
+    std::vector<glm::dvec3> places_within(const CutStep& step, const Corners& corners) const {
+        constexpr double most_turn = 10 * std::numbers::pi / 180;
+        constexpr double most_parts = 16;
+        const PlacedSurface& placed = mesh_.surfaces.surfaces[surface_of(step)];
+        const std::array<glm::dvec2, 3>& parameters = mesh_.surfaces.parameters[corners.triangle];
+        const glm::dvec3 from = at(step.from), to = at(step.to);
+        const auto within = [&](double share) {
+            return place_on_plane(
+                mesh_.surfaces.shapes[placed.shape], placed, plane_.origin, plane_.normal,
+                glm::mix(parameters[corners.from], parameters[corners.to], share));
+        };
+        const auto is_between = [&](glm::dvec3 a, glm::dvec3 place, glm::dvec3 b) {
+            return glm::dot(place - a, b - a) > 0 && glm::dot(b - place, b - a) > 0;
+        };
+        const std::optional<glm::dvec3> middle = within(0.5);
+        if (!middle || !is_between(from, *middle, to)) return {};
+        const glm::dvec3 in = *middle - from, out = to - *middle;
+        const double turn = 2 * std::atan2(glm::length(glm::cross(in, out)), glm::dot(in, out));
+        const auto parts = static_cast<int>(std::min(std::ceil(turn / most_turn), most_parts));
+        std::vector<glm::dvec3> places;
+        glm::dvec3 before = from;
+        for (int i = 1; i < parts; ++i) {
+            const std::optional<glm::dvec3> place = within(static_cast<double>(i) / parts);
+            if (!place || !is_between(before, *place, to)) return {};
+            places.push_back(before = *place);
+        }
+        return places;
+    }
+
+    /// Divides a step, and with it its triangle, at positions from its start on.
+    void divide(std::size_t number, const Corners& corners,
+                const std::vector<std::uint32_t>& between) {
+        const std::uint32_t whole = corners.triangle;
+        const glm::uvec3 triangle = mesh_.triangles[whole];
+        const std::array<glm::dvec2, 3> parameters = mesh_.surfaces.parameters[whole];
+        std::array<glm::vec3, 3> normals{};
+        if (!mesh_.corner_normals.empty())
+            for (std::size_t k = 0; k < 3; ++k) normals[k] = mesh_.corner_normals[3 * whole + k];
+        const CutStep step = cut_.steps[number];
+        const std::size_t count = between.size() + 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            CutStep part = step;
+            if (i > 0) part.from = between[i - 1];
+            if (i + 1 < count) part.to = between[i];
+            part.triangle = i == 0 ? whole : add_copy(whole);
+            const double start = static_cast<double>(i) / static_cast<double>(count),
+                         end = static_cast<double>(i + 1) / static_cast<double>(count);
+            glm::uvec3& positions = mesh_.triangles[part.triangle];
+            positions = triangle;
+            positions[static_cast<int>(corners.from)] = part.from;
+            positions[static_cast<int>(corners.to)] = part.to;
+            for (const auto& [corner, share] :
+                 {std::pair{corners.from, start}, std::pair{corners.to, end}}) {
+                mesh_.surfaces.parameters[part.triangle][corner] =
+                    glm::mix(parameters[corners.from], parameters[corners.to], share);
+                if (mesh_.corner_normals.empty()) continue;
+                const glm::vec3 a = normals[corners.from], b = normals[corners.to];
+                const glm::vec3 normal = glm::mix(a, b, static_cast<float>(share));
+                const bool is_known = a != glm::vec3{0} && b != glm::vec3{0};
+                mesh_.corner_normals[3 * std::size_t{part.triangle} + corner] =
+                    is_known && glm::length(normal) > 0 ? glm::normalize(normal) : glm::vec3{0};
+            }
+            if (i == 0) {
+                cut_.steps[number] = part;
+            } else {
+                cut_.steps.push_back(part);
+                curve_of_step_.push_back(curve_of_step_[number]);
+            }
+        }
+    }
+
+    /// Adds a triangle like another, whose number is returned.
+    std::uint32_t add_copy(std::uint32_t triangle) {
+        const auto again = [&](auto& list) {
+            if (list.empty()) return;
+            const auto one = list[triangle];
+            list.push_back(one);
+        };
+        const auto number = static_cast<std::uint32_t>(mesh_.triangles.size());
+        if (!mesh_.corner_normals.empty()) mesh_.corner_normals.resize(3 * std::size_t{number} + 3);
+        again(mesh_.triangles);
+        again(mesh_.surfaces.of_triangle);
+        again(mesh_.surfaces.parameters);
+        again(mesh_.triangle_group);
+        again(mesh_.triangle_object);
+        again(cut_.part_of_triangle);
+        // The corner opposite the step keeps its normal.
+        for (std::size_t k = 0; k < 3 && !mesh_.corner_normals.empty(); ++k)
+            mesh_.corner_normals[3 * std::size_t{number} + k] =
+                mesh_.corner_normals[3 * std::size_t{triangle} + k];
+        return number;
     }
 
     PlaneCut& cut_;

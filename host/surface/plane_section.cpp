@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
 #include "round_surface.hpp"
@@ -22,20 +23,29 @@ struct Plane {
     glm::dvec3 point, normal;
 };
 
-/// The place of a surface on a plane, by Newton's method from the place of two parameters.
-std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane, glm::dvec2 at) {
+/// The place of a surface on a plane, by Newton's method from the place of two parameters. `free`
+/// has 1 for a parameter that may change and 0 for the other.
+std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane, glm::dvec2 at,
+                                   glm::dvec2 free) {
     for (int i = 0; i < 12; ++i) {
         const SurfacePoint place = evaluate(shape, at);
         const double distance = glm::dot(place.at - plane.point, plane.normal);
         const double u = glm::length(place.u), v = glm::length(place.v);
         if (std::abs(distance) <= 1e-12 * (glm::length(place.at) + u + v)) return place.at;
         // Each parameter moves the place by as much as it turns it to the plane.
-        const glm::dvec2 slope{u > 0 ? glm::dot(place.u, plane.normal) / u : 0,
-                               v > 0 ? glm::dot(place.v, plane.normal) / v : 0};
+        const glm::dvec2 slope = free * glm::dvec2{u > 0 ? glm::dot(place.u, plane.normal) / u : 0,
+                                                   v > 0 ? glm::dot(place.v, plane.normal) / v : 0};
         const double gain = glm::dot(slope, slope);
         if (!(gain > straight * straight)) return std::nullopt;
         at -= distance / gain * glm::dvec2{u > 0 ? slope.x / u : 0, v > 0 ? slope.y / v : 0};
     }
+    return std::nullopt;
+}
+
+/// The same, along one parameter where both lead nowhere: splines do not go on beyond their ends.
+std::optional<glm::dvec3> place_on(const SurfaceShape& shape, const Plane& plane, glm::dvec2 at) {
+    for (const glm::dvec2& free : {glm::dvec2{1, 1}, glm::dvec2{0, 1}, glm::dvec2{1, 0}})
+        if (const std::optional<glm::dvec3> place = place_on(shape, plane, at, free)) return place;
     return std::nullopt;
 }
 
@@ -163,6 +173,24 @@ std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const Surfa
     return curve;
 }
 
+bool is_cut_straight(const SurfaceShape& plain, const PlacedSurface& placed, glm::dvec3 point,
+                     glm::dvec3 normal) {
+    const SurfaceCurve& line = plain.curve;
+    if (plain.offset != 0 || line.kind != SurfaceCurve::Kind::line) return false;
+    if (plain.kind == SurfaceShape::Kind::extrusion) return true; // a plane
+    if (plain.kind != SurfaceShape::Kind::revolution) return false;
+    const double length = glm::length(line.u);
+    if (std::abs(glm::dot(line.u, plain.axis)) < straight * length) return true; // a plane too
+    const Plane plane = plane_of(placed, point, normal);
+    if (!(std::abs(glm::dot(plane.normal, plain.axis)) < straight)) return false;
+    if (glm::length(glm::cross(line.u, plain.axis)) < straight * length) return true; // a cylinder
+    const glm::dvec3 out = way_from_axis(plain, line.point);
+    const bool is_cone = std::abs(glm::dot(glm::cross(out, line.u), plain.axis)) <=
+                         straight * glm::length(out) * length;
+    const double size = glm::length(line.point - plain.point) + length;
+    return is_cone && std::abs(glm::dot(plane.normal, plane.point - plain.point)) < straight * size;
+}
+
 std::optional<glm::dvec3> place_on_plane(const SurfaceShape& shape, const PlacedSurface& placed,
                                          glm::dvec3 point, glm::dvec3 normal, glm::dvec2 at) {
     const auto place = place_on(shape, plane_of(placed, point, normal), at);
@@ -182,10 +210,48 @@ std::optional<glm::dvec3> place_on_line(const SurfaceShape& shape, const PlacedS
         const double size =
             glm::length(change[0]) * glm::length(change[1]) * glm::length(change[2]);
         if (!(std::abs(glm::determinant(change)) > touches * size)) return std::nullopt;
-        if (glm::length(off) <= 1e-12 * (glm::length(from) + glm::length(way))) return place;
+        const double whole = glm::length(from) + glm::length(way) + glm::length(axes * surface.at);
+        if (glm::length(off) <= 1e-12 * (whole + glm::length(placed.model_from_shape[3])))
+            return place;
         const glm::dvec3 step = glm::inverse(change) * off;
         at += glm::dvec2{step};
         along += step.z;
+    }
+    return std::nullopt;
+}
+
+std::optional<glm::dvec3> place_on_both(const SurfaceShape& shape, const PlacedSurface& placed,
+                                        glm::dvec2 at, const SurfaceShape& other,
+                                        const PlacedSurface& other_placed, glm::dvec2 other_at,
+                                        glm::dvec3 point, glm::dvec3 normal) {
+    const glm::dmat3 axes = axes_of(placed), other_axes = axes_of(other_placed);
+    const glm::dvec3 across = glm::normalize(normal);
+    for (int i = 0; i < 16; ++i) {
+        const SurfacePoint one = evaluate(shape, at), two = evaluate(other, other_at);
+        const glm::dvec3 place = placed.model_from_shape * glm::dvec4{one.at, 1},
+                         its = other_placed.model_from_shape * glm::dvec4{two.at, 1};
+        const glm::dvec4 off{place - its, glm::dot(place - point, across)};
+        const glm::dvec3 u = axes * one.u, v = axes * one.v, its_u = other_axes * two.u,
+                         its_v = other_axes * two.v;
+        const double size = glm::length(axes * one.at) + glm::length(other_axes * two.at) +
+                            glm::length(placed.model_from_shape[3]) +
+                            glm::length(other_placed.model_from_shape[3]) + glm::length(point);
+        if (glm::length(off) <= 1e-12 * size) {
+            const glm::dvec3 way = glm::cross(glm::cross(u, v), across),
+                             its_way = glm::cross(glm::cross(its_u, its_v), across);
+            const double sine = glm::length(glm::cross(way, its_way));
+            if (!(sine > touches * glm::length(way) * glm::length(its_way))) return std::nullopt;
+            return place;
+        }
+        const glm::dmat4 change{glm::dvec4{u, glm::dot(u, across)},
+                                glm::dvec4{v, glm::dot(v, across)}, glm::dvec4{-its_u, 0},
+                                glm::dvec4{-its_v, 0}};
+        const double volume =
+            glm::length(u) * glm::length(v) * glm::length(its_u) * glm::length(its_v);
+        if (!(std::abs(glm::determinant(change)) > straight * volume)) return std::nullopt;
+        const glm::dvec4 step = glm::inverse(change) * off;
+        at -= glm::dvec2{step.x, step.y};
+        other_at -= glm::dvec2{step.z, step.w};
     }
     return std::nullopt;
 }

@@ -22,6 +22,11 @@ std::optional<SurfaceCurve> plane_section(const SurfaceShape& shape, const Surfa
                                           const PlacedSurface& placed, glm::dvec3 point,
                                           glm::dvec3 normal, glm::dvec2 at);
 
+/// Whether a plane cuts a surface in straight lines: a plane, a cylinder along its axis, or a cone
+/// through it. `plain` is plain_shape() of the surface's shape.
+bool is_cut_straight(const SurfaceShape& plain, const PlacedSurface& placed, glm::dvec3 point,
+                     glm::dvec3 normal);
+
 /// A place of a surface on a plane, near the place with the parameters `at`. None if the surface
 /// only touches the plane there.
 std::optional<glm::dvec3> place_on_plane(const SurfaceShape& shape, const PlacedSurface& placed,
@@ -31,5 +36,12 @@ std::optional<glm::dvec3> place_on_plane(const SurfaceShape& shape, const Placed
 /// the line only touches the surface there.
 std::optional<glm::dvec3> place_on_line(const SurfaceShape& shape, const PlacedSurface& placed,
                                         glm::dvec3 from, glm::dvec3 way, glm::dvec2 at);
+
+/// The place of two surfaces on a plane, near the places with the parameters `at` and `other_at`.
+/// None if the plane cuts both in curves that only touch there.
+std::optional<glm::dvec3> place_on_both(const SurfaceShape& shape, const PlacedSurface& placed,
+                                        glm::dvec2 at, const SurfaceShape& other,
+                                        const PlacedSurface& other_placed, glm::dvec2 other_at,
+                                        glm::dvec3 point, glm::dvec3 normal);
 
 } // namespace lineatlas

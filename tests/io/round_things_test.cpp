@@ -8,14 +8,18 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -340,10 +344,13 @@ TEST_F(RoundThings, ARimSeenEdgeOnDoesNotTurnBack) {
         SCOPED_TRACE(direction);
         const VectorDrawing drawn =
             drawing("a.brep", drill, direction, {1024, 768}, Projection::orthographic);
+        int rims = 0;
         for (const VectorPath& path : drawn.paths) {
             if (!path.visible || path.kind == LineKind::silhouette) continue;
             EXPECT_EQ(path.points.size(), 2U);
+            ++rims;
         }
+        EXPECT_EQ(rims, 2);
     }
 }
 
@@ -767,11 +774,112 @@ TEST_F(RoundThings, SectionsOfSplinesAreCurvesWhereTheyAreRound) {
     EXPECT_EQ(across.straight, 0);
 }
 
+/// Of the bottle's curve at a share of its way.
+glm::dvec2 place_of_bottle(double share) {
+    const double t = share, s = 1 - share;
+    return s * s * s * glm::dvec2{5, 0} + 3 * s * s * t * glm::dvec2{12, 5} +
+           3 * s * t * t * glm::dvec2{2, 12} + t * t * t * glm::dvec2{6, 20};
+}
+
+TEST_F(RoundThings, ObliqueCutsOfSplinesAreSmoothCurves) {
+    const glm::dvec3 normal{-1, 1, 0.5};
+    const TopoDS_Shape spline = BRepBuilderAPI_NurbsConvert(bottle()).Shape();
+    const VectorDrawing drawn = drawing("a.brep", to_brep(spline), "isometric", {1000, 800},
+                                        Projection::orthographic, {{.normal = normal}});
+    double length = 0;
+    for (const VectorPath& path : drawn.paths) {
+        if (!path.visible || path.kind != LineKind::section) continue;
+        std::uint32_t covered = 0;
+        for (const VectorCurve& curve : path.curves) covered += curve.last - curve.first;
+        EXPECT_EQ(covered + 1, path.points.size());
+        EXPECT_LT(2 * path.curves.size(), path.points.size());
+        for (std::size_t i = 0; i < path.points.size(); ++i) {
+            const glm::dvec3 at = path.points[i].world;
+            const glm::dvec2 seen{std::hypot(at.x, at.y), at.z};
+            double off = INFINITY;
+            for (int k = 0; k <= 10'000; ++k)
+                off = std::min(off, glm::distance(seen, place_of_bottle(k / 1e4)));
+            EXPECT_LT(off, 2e-3);
+            EXPECT_NEAR(glm::dot(at, normal), 0, 1e-4);
+            if (i > 0) length += glm::distance(at, glm::dvec3{path.points[i - 1].world});
+        }
+    }
+    EXPECT_GT(length, 20); // one of its sides hides a part of the other
+}
+
+/// A hexagonal nut of 20 across its flats and 8 high, with a bore of 10 and a chamfer of 30 degrees
+/// around the top.
+TopoDS_Shape nut() {
+    BRepBuilderAPI_MakePolygon outline;
+    const double reach = 10 / std::cos(std::numbers::pi / 6);
+    for (int i = 0; i < 6; ++i) {
+        const double angle = (i + 0.5) * std::numbers::pi / 3;
+        outline.Add(gp_Pnt(reach * std::cos(angle), reach * std::sin(angle), 0));
+    }
+    outline.Close();
+    const TopoDS_Shape prism =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 8))
+            .Shape();
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(9.5 + 8 * std::numbers::sqrt3, 9.5, 8).Shape();
+    return BRepAlgoAPI_Cut(BRepAlgoAPI_Common(prism, cone).Shape(),
+                           BRepPrimAPI_MakeCylinder(5, 8).Shape())
+        .Shape();
+}
+
+// The chamfer's circle meets the flats.
+TEST_F(RoundThings, ACutAcrossAChamferIsArcsAndLines) {
+    VectorDrawing drawn =
+        drawing("a.brep", to_brep(nut()), "top", {1000, 800}, Projection::orthographic,
+                {{.point = {0, 0, 7.4}, .normal = {0, 0, 1}}});
+    std::erase_if(drawn.paths, [](const VectorPath& path) {
+        return !path.visible || path.kind != LineKind::section;
+    });
+    ASSERT_EQ(drawn.paths.size(), 2U);
+    const double scale = scale_of(view_, 800);
+    const Parts parts = parts_of(drawn, scale);
+    ASSERT_EQ(parts.arcs.size(), 7U);
+    const double radius = 9.5 + 0.6 * std::numbers::sqrt3;
+    const double half = std::sqrt(radius * radius - 100); // of a flat
+    int bores = 0;
+    for (const VectorArc& arc : parts.arcs) {
+        const bool is_bore = arc.major.x < 7;
+        bores += is_bore ? 1 : 0;
+        EXPECT_EQ(arc.ratio, 1);
+        EXPECT_NEAR(arc.major.x, is_bore ? 5 : radius, 1e-5);
+        const double sweep = std::numbers::pi / 3 - 2 * std::asin(half / radius);
+        EXPECT_NEAR(std::abs(arc.sweep), is_bore ? 2 * std::numbers::pi : sweep,
+                    0.02 / scale / radius);
+    }
+    EXPECT_EQ(bores, 1);
+    EXPECT_NEAR(parts.straight, 12 * half, 0.02 / scale);
+}
+
+// A ball's circle and a cone's hyperbola.
+TEST_F(RoundThings, CurvesWithoutEllipsesMeetOthersWhereTheyCross) {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(6, 2, 25).Shape();
+    const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(10).Shape();
+    const Mesh both = load("a.brep", to_brep(BRepAlgoAPI_Fuse(ball, cone).Shape())).mesh;
+    for (const double x : {1.0, 1.5, 3.0, 4.0}) {
+        SCOPED_TRACE(x);
+        const Mesh cut =
+            cut_mesh(both, std::vector<SectionPlane>{{.point = {x, 0, 0}, .normal = {1, 0, 0}}})
+                .mesh;
+        std::size_t corners = 0;
+        for (const glm::dvec3& place : places_of_cut(cut)) {
+            const double off_ball = std::abs(glm::length(place) - 10);
+            const double off_cone = std::abs(std::hypot(place.x, place.y) - (6 - 0.16 * place.z));
+            EXPECT_TRUE(place.z > 24.999 || std::min(off_ball, off_cone) < 1e-4);
+            corners += off_ball < 1e-4 && off_cone < 1e-4 ? 1 : 0;
+        }
+        EXPECT_GE(corners, 2U);
+    }
+}
+
 /// The outline of a cut whose plane is seen at a right angle, which has no ellipses: the length of
 /// the lines that do not run along the surface within `most_off`, and the largest distance of all
 /// others from the surface, in the model's units. `off` tells how far a place lies off the surface.
 struct Cut {
-    double straight = 0, off = 0;
+    double straight = 0, off = 0, length = 0; ///< the last of all lines
 };
 template <class Off>
 Cut cut_of(const VectorDrawing& drawing, const View& view, double scale, double most_off,
@@ -802,8 +910,9 @@ Cut cut_of(const VectorDrawing& drawing, const View& view, double scale, double 
             }
         }
         for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-            if (!is_straight[i]) continue;
             const glm::dvec2 a = path.points[i].at, b = path.points[i + 1].at;
+            cut.length += glm::distance(a, b) / scale;
+            if (!is_straight[i]) continue;
             const double worst = std::max({off_at(a), off_at(b), off_at(0.5 * (a + b))});
             if (worst < most_off)
                 cut.off = std::max(cut.off, worst);
@@ -836,13 +945,22 @@ TEST_F(RoundThings, OtherCutsAreSmoothCurves) {
                 return (std::hypot(at.x, at.y) - (10 - 0.5 * at.z)) * std::cos(std::atan(0.5));
             }).straight;
         EXPECT_NEAR(wide, 2 * std::sqrt(100 - beside * beside), 1e-3); // of the base
+        const double slender =
+            cut(BRepPrimAPI_MakeCone(10, 0, 60).Shape(), -beside, [](glm::dvec3 at) {
+                return (std::hypot(at.x, at.y) - (10 - at.z / 6)) * std::cos(std::atan(1.0 / 6));
+            }).straight;
+        EXPECT_NEAR(slender, 2 * std::sqrt(100 - beside * beside), 1e-3);
         const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(20, 5).Shape();
-        for (const double y : {-5.0, -17.0, -22.0})
-            EXPECT_EQ(
-                cut(torus, y,
-                    [](glm::dvec3 at) { return std::hypot(std::hypot(at.x, at.y) - 20, at.z) - 5; })
-                    .straight,
-                0);
+        for (const double y : {-5.0, -15.0, -17.0, -22.0}) {
+            SCOPED_TRACE(y);
+            const Cut found = cut(torus, y, [](glm::dvec3 at) {
+                return std::hypot(std::hypot(at.x, at.y) - 20, at.z) - 5;
+            });
+            EXPECT_EQ(found.straight, 0);
+            const double width = std::sqrt(625 - y * y),
+                         hole = std::sqrt(std::max(225 - y * y, 0.0));
+            EXPECT_GT(found.length, 4 * (width - hole));
+        }
     }
 }
 
