@@ -129,5 +129,35 @@ TEST(PlaneSection, AnySurfaceOfRevolutionIsCutInACircleAcrossItsAxis) {
     EXPECT_NEAR(glm::distance(circle->point, height), 0, 1e-9);
 }
 
+TEST(PlaneSection, CylindersAlongTheAxisAndConesThroughItAreCutInLines) {
+    const PlacedSurface place = placed();
+    const auto is_straight = [&](const SurfaceShape& shape, glm::dvec3 point, glm::dvec3 normal) {
+        const glm::dmat3 axes{place.model_from_shape};
+        return is_cut_straight(shape, place, place.model_from_shape * glm::dvec4{point, 1},
+                               axes * normal);
+    };
+    EXPECT_TRUE(is_straight(cylinder, {3, 0, 0}, {1, 0, 0}));
+    EXPECT_FALSE(is_straight(cylinder, {3, 0, 0}, {1, 0, 0.1}));
+    EXPECT_TRUE(is_straight(cone, {0, 0, 3}, {1, 2, 0}));
+    EXPECT_FALSE(is_straight(cone, {1, 0, 3}, {1, 0, 0}));
+    EXPECT_TRUE(is_straight(turned_line({5, 0, 2}, {1, 0, 0}), {1, 0, 0}, {1, 0, 1})); // a disc
+    EXPECT_FALSE(is_straight(ball, {0, 0, 2}, {1, 0, 0}));
+}
+
+TEST(PlaneSection, TwoSurfacesMeetOnAPlane) {
+    const PlacedSurface place = placed();
+    const glm::dmat3 axes{place.model_from_shape};
+    const glm::dvec3 point = place.model_from_shape * glm::dvec4{1.5, 0, 0, 1},
+                     normal = glm::normalize(axes * glm::dvec3{1, 0, 0});
+    // A cone and a ball, near to where both have x = 1.5.
+    const auto met = place_on_both(cone, place, {1.2, 5}, ball, place, {1.2, 1}, point, normal);
+    ASSERT_TRUE(met);
+    EXPECT_NEAR(glm::dot(*met - point, normal), 0, 1e-9);
+    EXPECT_TRUE(holds_place(cone, place, *met, 1e-9));
+    EXPECT_TRUE(holds_place(ball, place, *met, 1e-9));
+    // It is one curve, which does not cross itself.
+    EXPECT_FALSE(place_on_both(ball, place, {1.2, 1}, ball, place, {1.2, 1}, point, normal));
+}
+
 } // namespace
 } // namespace lineatlas
