@@ -875,6 +875,26 @@ TEST_F(RoundThings, CurvesWithoutEllipsesMeetOthersWhereTheyCross) {
     }
 }
 
+// Chords of the cone alone turn by 29 degrees at the vertex of the hyperbola.
+TEST_F(RoundThings, CutsAreDividedWhereTheyTurn) {
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(10, 0, 60).Shape();
+    const Mesh mesh = load("a.brep", to_brep(cone)).mesh;
+    const std::vector<glm::dvec3> places = places_of_cut(
+        cut_mesh(mesh, std::vector<SectionPlane>{{.point = {0, -3, 0}, .normal = {0, -1, 0}}},
+                 {.none = true})
+            .mesh);
+    int turns = 0;
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        if (places[i].z < 1e-3) continue;
+        EXPECT_NEAR(std::hypot(places[i].x, places[i].y), 10 - places[i].z / 6, 1e-4);
+        const glm::dvec3 in = places[i] - places[i - 1], out = places[i + 1] - places[i];
+        const double turn = std::atan2(glm::length(glm::cross(in, out)), glm::dot(in, out));
+        EXPECT_LT(turn * 180 / std::numbers::pi, 15) << places[i].x << "," << places[i].z;
+        ++turns;
+    }
+    EXPECT_GT(turns, 8);
+}
+
 /// The outline of a cut whose plane is seen at a right angle, which has no ellipses: the length of
 /// the lines that do not run along the surface within `most_off`, and the largest distance of all
 /// others from the surface, in the model's units. `off` tells how far a place lies off the surface.
