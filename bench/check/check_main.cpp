@@ -43,6 +43,7 @@ struct Options {
 
 /// Runs one part and adds its result to the report. False if the part failed.
 bool run_part(Part part, Clock::time_point end, const Places& places, Json& report) {
+    if (!part.picture.empty()) fs::remove(places.pictures / part.picture); // that of an earlier run
     const auto left = std::chrono::floor<std::chrono::seconds>(end - Clock::now());
     part.limit = std::min(part.limit, left);
     fmt::print("{:<24}", part.name);

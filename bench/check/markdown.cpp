@@ -154,17 +154,19 @@ void add_bounds(Document& document, const Json& parts) {
         document.line(fmt::format("A copy moves {} GB/s; the device does {} Gop/s.\n",
                                   number_of(roofs, "copy_gb_per_s"),
                                   number_of(roofs, "arithmetic_gop_per_s")));
-        document.table({"kernel", "us", "10 %", "90 %", "launches", "MB", "% of a copy", "Mop",
-                        "% of the device", "bound by", "cores", "local bytes", "private bytes",
-                        "multiple", "largest group", "registers", "resident items"});
+        document.table({"stage", "kernel", "us", "10 %", "90 %", "launches", "MB", "% of a copy",
+                        "Mop", "% of the device", "bound by", "cores", "local bytes",
+                        "private bytes", "multiple", "largest group", "registers",
+                        "resident items"});
         const auto millions = [](const Json& kernel, const char* key) {
             const Json& value = member(kernel, key);
             return value.is_number() ? fmt::format("{:.3g}", value.get<double>() * 1e-6) : "";
         };
         for (const Json& kernel : member(figures, "kernels"))
-            document.row({text_of(kernel, "kernel"), number_of(kernel, "median_us"),
-                          number_of(kernel, "p10_us"), number_of(kernel, "p90_us"),
-                          text_of(kernel, "launches"), millions(kernel, "bytes"),
+            document.row({text_of(kernel, "stage"), text_of(kernel, "kernel"),
+                          number_of(kernel, "median_us"), number_of(kernel, "p10_us"),
+                          number_of(kernel, "p90_us"), text_of(kernel, "launches"),
+                          millions(kernel, "bytes"),
                           share_of(kernel, "gb_per_s", member(roofs, "copy_gb_per_s")),
                           millions(kernel, "operations"),
                           share_of(kernel, "gop_per_s", member(roofs, "arithmetic_gop_per_s")),

@@ -97,8 +97,6 @@ std::vector<Part> all_parts(const Places& places) {
         profiled("atlas", "compute", "raster"),
         profiled("atlas", "compute", "compute"),
         profiled("exact", "auto", "auto"),
-        bounds("atlas"),
-        bounds("exact"),
         interop("gl-sharing"),
         interop("external-memory"),
         interop("host-pointer"),
@@ -110,6 +108,8 @@ std::vector<Part> all_parts(const Places& places) {
         test("stages_test", seconds{240}),
         test("compute_test", seconds{90}),
         test("pictures_test", seconds{90}, "*clevis*"),
+        bounds("atlas"),
+        bounds("exact"),
     };
 }
 
