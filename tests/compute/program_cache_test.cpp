@@ -179,13 +179,15 @@ TEST(ProgramCache, AFolderThatCannotBeWrittenIsNoError) {
         const ProgramCache cache{place};
         store_all(cache);
         EXPECT_EQ(count_found(cache), 0U);
+        EXPECT_FALSE(cache.store("new", program_of(0)));
     }
 
     const fs::path closed = folder.path() / "closed";
     const ProgramCache cache{closed};
     store_all(cache);
     fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
-    cache.store("new", program_of(0)); // a superuser can always write it
+    const bool stored = cache.store("new", program_of(0)); // a superuser can always write it
+    EXPECT_EQ(stored, cache.find("new").has_value());
     EXPECT_EQ(count_found(cache), program_count);
     fs::permissions(closed, fs::perms::owner_all);
 }

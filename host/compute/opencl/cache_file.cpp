@@ -66,19 +66,21 @@ std::optional<std::vector<unsigned char>> read_cache_file(const fs::path& path,
     return content;
 }
 
-void write_cache_file(const fs::path& path, std::string_view part_extension,
+bool write_cache_file(const fs::path& path, std::string_view part_extension,
                       std::span<const unsigned char> content) {
     make_folders(path.parent_path());
     std::string part = (path.parent_path() / "XXXXXX").string() + std::string{part_extension};
     const FileDescriptor file{
         ::mkostemps(part.data(), static_cast<int>(part_extension.size()), O_CLOEXEC)};
-    if (!file.is_open()) return;
+    if (!file.is_open()) return false;
     std::error_code error;
     if (write_all(file.number(), content))
         fs::rename(part, path, error);
     else
         error = std::make_error_code(std::errc::io_error);
-    if (error) fs::remove(part, error);
+    if (!error) return true;
+    fs::remove(part, error);
+    return false;
 }
 
 } // namespace lineatlas::compute

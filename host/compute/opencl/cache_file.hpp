@@ -14,13 +14,13 @@ namespace lineatlas::compute {
 std::optional<std::vector<unsigned char>> read_cache_file(const std::filesystem::path& path,
                                                           std::uintmax_t most_bytes);
 
-/// Makes a file that appears whole or not at all, and its folder, both for this user alone. Does
-/// nothing if that fails. A killed writer may leave a file in the folder whose name ends in
-/// `part_extension`.
+/// Makes a file that appears whole or not at all, and its folder, both for this user alone. Returns
+/// false and leaves nothing if that fails. A killed writer may leave a file in the folder whose
+/// name ends in `part_extension`.
 ///
 /// Unlike pictures, the file is not flushed to the disk. After a crash of the machine its reader
 /// notices the damage.
-void write_cache_file(const std::filesystem::path& path, std::string_view part_extension,
+bool write_cache_file(const std::filesystem::path& path, std::string_view part_extension,
                       std::span<const unsigned char> content);
 
 } // namespace lineatlas::compute

@@ -105,10 +105,11 @@ std::optional<std::vector<unsigned char>> ProgramCache::find(std::string_view ke
     return program;
 }
 
-void ProgramCache::store(std::string_view key, std::span<const unsigned char> program) const {
-    if (sizeof(Header) + key.size() + program.size() > limit_) return;
-    write_cache_file(file_of(key), part_extension, pack(key, program));
+bool ProgramCache::store(std::string_view key, std::span<const unsigned char> program) const {
+    if (sizeof(Header) + key.size() + program.size() > limit_) return false;
+    const bool stored = write_cache_file(file_of(key), part_extension, pack(key, program));
     tidy();
+    return stored;
 }
 
 void ProgramCache::tidy() const {

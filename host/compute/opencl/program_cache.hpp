@@ -28,8 +28,8 @@ class ProgramCache {
     /// The program stored under `key`.
     std::optional<std::vector<unsigned char>> find(std::string_view key) const;
 
-    /// Stores a program under `key`, in place of another one.
-    void store(std::string_view key, std::span<const unsigned char> program) const;
+    /// Stores a program under `key`, in place of another one. False: it was not stored.
+    bool store(std::string_view key, std::span<const unsigned char> program) const;
 
     /// The file of the program with this key, whether or not it exists.
     std::filesystem::path file_of(std::string_view key) const;
