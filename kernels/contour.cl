@@ -233,6 +233,7 @@ KERNEL(contour_places, ContourParameters) {
         at[k] = vload3(own[k].vertex, vertices);
     }
     ContourCrossing crossing;
+    bool lacks_place = false;
     const float lift = LA_CONTOUR_LIFT * rise_of(own, at);
     crossing.underside = shows_back(at, faces_eye, tip, to_float4(args.eye)) ? 1 : 0;
     float3 nearer = 0.0f;
@@ -252,9 +253,10 @@ KERNEL(contour_places, ContourParameters) {
         uint vertex = args.first_vertex + 4 * n + (falls ? 0u : 2u);
         if (at_tip)
             put_tip(k == tip ? at[k] : at[next], vertex, vertices);
-        else if ((face.edges[k] & LA_CONTOUR_TURNED) != 0)
+        else if ((face.edges[k] & LA_CONTOUR_TURNED) != 0) {
+            lacks_place = lacks_place || other >= args.count;
             vertex = args.first_vertex + 4 * min(other, args.count - 1u) + (falls ? 2u : 0u);
-        else
+        } else
             put_places(own + k, own + next, faces_eye[k], faces_eye[next],
                        across == LA_NO_FACE ? edges + face.edges[k] : 0, triangles, front, lift,
                        nearer, vertex, vertices);
@@ -266,5 +268,7 @@ KERNEL(contour_places, ContourParameters) {
             crossing.after = other;
         }
     }
+    /* There is no room for the silhouette that has the place. Nothing is drawn then. */
+    if (lacks_place) crossing.p = crossing.q = 0;
     crossings[n] = crossing;
 }

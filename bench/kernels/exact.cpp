@@ -45,6 +45,7 @@ struct Found {
         do {
             visibility.tile_lists();
             visibility.visible(clipped());
+            visibility.read_sizes();
         } while (visibility.grow(clipped()));
         runs = stages.device().allocate(2 * n * sizeof(Run));
         record = stages.device().allocate(sizeof(FrameRecord));

@@ -126,6 +126,7 @@ void AtlasMethod::find_silhouettes(Frame& frame) {
     frame.scene.set_order(chains_.table_of(
         frame.scene.candidate_table(), wanted,
         compute::silhouette_view(frame.camera, frame.scene.bounds()), frame.clock));
+    if (chains_.has_many_more()) temporal_.forget();
     segment_count_ = frame.scene.table().segment_count;
     if (arcs_.bytes() > segment_count_ * sizeof(la_uint)) return;
     make_segment_tables(silhouettes_grew_
@@ -298,9 +299,12 @@ void AtlasMethod::draw_late(Frame& frame) {
     for (bool again = true; again;) {
         find_once(frame);
         strokes_.draw_late(frame, alpha_);
-        const bool all_found = chains_.settle();
-        again = grow() || !all_found;
-        if (!all_found) project(frame);
+        if (chains_.settle()) {
+            again = grow();
+            continue;
+        }
+        temporal_.forget(); // it has taken a frame with gaps for the last one
+        project(frame);
     }
     counts_come_ = false;
     segment_count_ = chains_.first() + chains_.count();

@@ -35,8 +35,11 @@ class TemporalStage {
     static bool wanted(const Frame& frame);
     /// Gives up the tables, before another line set or another atlas.
     void release();
-    /// Forgets the last frame: the next one is not averaged.
-    void forget() { last_.reset(); }
+    /// Forgets the last frame: what follows is not averaged with it.
+    void forget() {
+        last_.reset();
+        motion_.reset();
+    }
 
     /// Call before the segments of a frame are found.
     void begin_frame(const Frame& frame);

@@ -86,8 +86,7 @@ class ExactLines {
             while (!has_all) {
                 const compute::SegmentTable segments =
                     chains_.table_of(candidates, wanted, seen, clock);
-                find(view, chunk, candidates, segments, clock);
-                has_all = chains_.settle();
+                has_all = find(view, chunk, candidates, segments, clock);
                 if (has_all) use(chunk, segments, visibility_.spans());
             }
         }
@@ -102,9 +101,10 @@ class ExactLines {
     compute::ClippedTable clipped() const { return {*clipped_, *no_offsets_, *arcs_}; }
 
   private:
-    /// Finds the visible parts of the segments of a chunk. Waits for the device.
+    /// Finds the visible parts of the segments of a chunk. Waits for the device. Returns false if
+    /// there was too little room for silhouettes.
     template <class Clock>
-    void find(const LineView& view, std::size_t chunk, const compute::SegmentTable& candidates,
+    bool find(const LineView& view, std::size_t chunk, const compute::SegmentTable& candidates,
               const compute::SegmentTable& segments, const Clock& clock) {
         make_room(segments.segment_count);
         if (chunk == 0) {
@@ -117,15 +117,18 @@ class ExactLines {
         clock("scan",
               [&] { stages_.scan(*arcs_, segments.segment_count, compute::ScanKind::wrap); });
         // Later chunks use the lists of tiles of the first one.
-        bool by_lists = chunk > 0, again = true;
+        bool by_lists = chunk > 0, has_all = true, again = true;
         while (again) {
             if (!by_lists) clock("tile_lists", [&] { visibility_.tile_lists(); });
             clock("visible", [&] {
                 visibility_.visible(clipped());
-                again = visibility_.grow(clipped());
+                visibility_.read_sizes();
+                has_all = chains_.settle();
+                again = has_all && visibility_.grow(clipped());
             });
             by_lists = false;
         }
+        return has_all;
     }
     void make_room(std::uint32_t segments);
     void project_clip(const LineView& view, const compute::SegmentTable& candidates,

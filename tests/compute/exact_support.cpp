@@ -55,6 +55,7 @@ ExactResult find_exactly(compute::Device& own, const LineSet& lines, const Camer
         ++result.looks;
         exact.tile_lists();
         exact.visible(no_samples);
+        exact.read_sizes();
     } while (exact.grow(no_samples));
 
     const compute::SpanTable spans = exact.spans();

@@ -25,6 +25,7 @@
 #include "lineatlas/renderer.hpp"
 #include "scene_cameras.hpp"
 #include "support/discrete_layer/discrete_layer.hpp"
+#include "support/fault_layer/fault_layer.hpp"
 #include "temporary_folder.hpp"
 
 namespace lineatlas::test {
@@ -38,10 +39,16 @@ BusCounts take_counts() {
     return take();
 }
 
+OpenClFaults& opencl_faults() {
+    void* layer = dlopen(LINEATLAS_FAULT_LAYER, RTLD_NOW);
+    if (layer == nullptr) throw std::runtime_error{dlerror()};
+    return *reinterpret_cast<GetOpenClFaults*>(dlsym(layer, opencl_faults_symbol))();
+}
+
 class Discrete : public testing::Test {
   protected:
     Discrete() {
-        ::setenv("OPENCL_LAYERS", LINEATLAS_DISCRETE_LAYER, 1);
+        ::setenv("OPENCL_LAYERS", LINEATLAS_DISCRETE_LAYER ":" LINEATLAS_FAULT_LAYER, 1);
         ::setenv("LINEATLAS_CACHE", "off", 1); // no trial of the device comes first
     }
 
@@ -195,6 +202,90 @@ TEST_P(Guessed, FramesAreThoseThatWaitForTheNumberOfTheirSilhouettes) {
         EXPECT_TRUE(picture(guesses, camera) == expected) << direction.x << ' ' << direction.z;
     }
     EXPECT_GT(ink, 1000U);
+}
+
+/// Ridges side by side. All show their backs, and so their silhouettes, below one angle.
+Mesh ridges() {
+    constexpr std::uint32_t columns = 40, rows = 120;
+    Mesh mesh;
+    for (std::uint32_t y = 0; y <= rows; ++y)
+        for (std::uint32_t x = 0; x <= columns; ++x)
+            mesh.positions.emplace_back(3.0F * static_cast<float>(x), y, x % 2 != 0 ? 0.45F : 0);
+    for (std::uint32_t y = 0; y < rows; ++y) {
+        for (std::uint32_t x = 0; x < columns; ++x) {
+            const std::uint32_t i = y * (columns + 1) + x, up = i + columns + 1;
+            mesh.triangles.insert(mesh.triangles.end(), {{i, i + 1, up + 1}, {i, up + 1, up}});
+        }
+    }
+    return mesh;
+}
+
+/// In slow motion, with dashes that are carried over.
+TEST_F(Discrete, SteadyFramesAreThoseThatWaitForTheNumberOfTheirSilhouettes) {
+    const LineSet lines = extract_lines(
+        ridges(), {.lines = mask_of(LineKind::silhouette) | mask_of(LineKind::boundary)});
+    FrameOptions options;
+    options.method = Method::atlas;
+    options.forms.strokes = StageForm::compute;
+    options.style.pen.mark = "dashed";
+    FrameOptions waiting = options;
+    waiting.intervals = KeptIntervals::visible;
+    Renderer guesses{{.compute = "opencl"}}, waits{{.compute = "opencl"}};
+    guesses.set_lines(lines);
+    waits.set_lines(lines);
+    const auto picture = [&](Renderer& renderer, const Camera& camera, const FrameOptions& as) {
+        canvas_.clear({1, 1, 1, 1});
+        renderer.draw(camera, as, canvas_.framebuffer());
+        return canvas_.read();
+    };
+    std::vector<std::uint32_t> wait_counts;
+    for (const float degrees : {80.4F, 80.6F, 80.8F, 81.0F, 81.2F, 81.6F, 81.8F, 82.0F, 82.2F}) {
+        const float angle = glm::radians(degrees);
+        Camera camera = look_from({std::sin(angle), 0, std::cos(angle)}, canvas_.size());
+        camera.projection = glm::ortho(-20.0F, 20.0F, -15.0F, 15.0F, 1.0F, 1000.0F);
+        const std::vector<std::uint8_t> expected = picture(waits, camera, waiting);
+        take_counts();
+        EXPECT_TRUE(picture(guesses, camera, options) == expected) << degrees;
+        wait_counts.push_back(take_counts().waits);
+    }
+    const auto redone = std::ranges::find_if(wait_counts.begin() + 3, wait_counts.end(),
+                                             [](std::uint32_t waits) { return waits > 1; });
+    ASSERT_LT(redone - wait_counts.begin(), 7) << "no frame had more silhouettes than guessed";
+    EXPECT_EQ(redone[1], 1U) << "the frame after it";
+}
+
+TEST_F(Discrete, TheSecondFrameNeedsNoMoreMemoryThanTheFirst) {
+    OpenClFaults& faults = opencl_faults();
+    faults.builds_once = true;
+    const LineSet lines = extract_lines(bumps(), {.lines = mask_of(LineKind::silhouette)});
+    const Camera camera = look_from(glm::normalize(glm::vec3{0.3F, -1, 0.15F}), canvas_.size());
+    FrameOptions options;
+    options.method = Method::atlas;
+    options.forms.strokes = StageForm::compute;
+    const auto draw_twice = [&](int& first, int& second) {
+        Renderer renderer{{.compute = "opencl"}};
+        renderer.set_lines(lines);
+        renderer.draw(camera, options, canvas_.framebuffer());
+        ++first;
+        const std::uint64_t allocated = faults.allocated;
+        renderer.draw(camera, options, canvas_.framebuffer());
+        ++second;
+        return allocated;
+    };
+    int first = 0, second = 0, refused = 0;
+    const std::uint64_t needed = draw_twice(first, second);
+    for (std::uint64_t part = 60; part < 80; ++part) {
+        faults.memory = needed * part / 64;
+        try {
+            draw_twice(first, second);
+        } catch (const DeviceError&) {
+            ++refused;
+        }
+    }
+    faults.reset();
+    EXPECT_EQ(first, second);
+    EXPECT_GT(first, 2);
+    EXPECT_GT(refused, 2);
 }
 
 TEST_F(Discrete, RatesAreMeasuredOnceAndKept) {

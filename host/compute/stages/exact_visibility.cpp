@@ -229,10 +229,14 @@ OutlineTable ExactVisibility::outline(const ClippedTable& clipped, float depth) 
     return {*part_offsets_, *parts_};
 }
 
+void ExactVisibility::read_sizes() {
+    sizes_ = {.entries = read_one<la_uint>(device_, *lists_.ends, std::size_t{tiles()} * columns()),
+              .groups = read_one<la_uint>(device_, *lists_.groups, tiles()),
+              .spans = read_one<la_uint>(device_, *own_.offsets, parameters_.count)};
+}
+
 bool ExactVisibility::grow(const ClippedTable& clipped) {
-    const auto entries = read_one<la_uint>(device_, *lists_.ends, std::size_t{tiles()} * columns());
-    const auto groups = read_one<la_uint>(device_, *lists_.groups, tiles());
-    const auto spans = read_one<la_uint>(device_, *own_.offsets, parameters_.count);
+    const auto [entries, groups, spans] = sizes_;
     bool again = false;
     if (entries > parameters_.entry_capacity) {
         parameters_.entry_capacity = grown(entries, sizeof(Entry));

@@ -38,8 +38,9 @@ class ExactVisibility {
     /// Finds the visible parts with the background on one side and a body that is `depth` pixels
     /// deep on the other. Call after the last visible(). Waits for the device.
     OutlineTable outline(const ClippedTable& clipped, float depth);
-    /// Enlarges tables that were too small, for which it waits. Returns true if tile_lists() and
-    /// visible() must be done again. If only spans had no room, it writes them itself.
+    void read_sizes(); ///< reads what grow() decides by; waits
+    /// Enlarges tables that were too small. Returns true if tile_lists() and visible() must be done
+    /// again. If only spans had no room, it writes them itself.
     bool grow(const ClippedTable& clipped);
 
     /// The result of the last visible().
@@ -67,6 +68,10 @@ class ExactVisibility {
                                                       ///< group_capacity of them
         Table boxes{*device, table::exact_boxes};     ///< LA_BOX_FLOATS floats for group_capacity +
                                                       ///< LA_GROUP groups
+    };
+    /// How much the stages had to hold.
+    struct Sizes {
+        std::uint32_t entries = 0, groups = 0, spans = 0;
     };
     /// The visible parts of lines.
     struct Found {
@@ -124,6 +129,7 @@ class ExactVisibility {
     ExactParameters parameters_{};
     Batches triangles_;
     BatchTable batches_; ///< of the current frame's triangles
+    Sizes sizes_;
     Lists lists_{&device_};
     Found own_{{device_, table::exact_kept},
                {device_, table::exact_span_offsets},

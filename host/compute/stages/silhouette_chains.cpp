@@ -20,6 +20,18 @@ ContourParameters parameters_of(const SilhouetteCandidates& candidates, const gl
             .eye = eye};
 }
 
+// What tables of all stages hold, as docs/architecture.md says.
+constexpr std::uint64_t bytes_of_segment = sizeof(Segment) + sizeof(ClippedSegment) + 24;
+constexpr std::uint64_t bytes_of_silhouette = 92 + sizeof(ContourCrossing) + 56;
+constexpr std::uint64_t bytes_of_places = 4 * 3 * sizeof(float);
+
+/// Room for the silhouettes of a frame after one that had `last`, of `most`.
+std::uint32_t guess_after(std::uint32_t last, std::uint32_t most) {
+    constexpr std::uint32_t some = 256;
+    return static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(std::uint64_t{last} + last / 4 + some, most));
+}
+
 } // namespace
 
 void Stages::contour(const SegmentTable& table, const glm::vec4& eye, const ChainTables& tables) {
@@ -113,7 +125,7 @@ void SilhouetteChains::release() {
 SegmentTable SilhouetteChains::without(const SegmentTable& table) {
     first_ = table.segment_count - table.candidates.count;
     count_ = 0;
-    is_guessed_ = has_order_ = false;
+    is_guessed_ = has_order_ = has_many_more_ = false;
     SegmentTable result = table;
     result.segment_count = first_;
     return result;
@@ -133,7 +145,7 @@ void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
     tables_.positions.make_room(table.candidates.count * sizeof(la_uint));
     first_ = table.candidates.first;
     stages_.silhouette(table, front, tables_);
-    count_silhouettes(table.candidates);
+    count_silhouettes(table);
     has_order_ = true;
     if (count_ == 0) return;
     tables_.chosen.make_room(std::uint64_t{count_} * sizeof(la_uint));
@@ -143,17 +155,32 @@ void SilhouetteChains::list(const SegmentTable& table, Buffer& front) {
         device_.begin_download(*tables_.total, std::as_writable_bytes(std::span{&total_, 1}));
 }
 
-void SilhouetteChains::count_silhouettes(const SilhouetteCandidates& candidates) {
-    const std::uint32_t most = candidates.drawable();
-    is_guessed_ = guesses_ && last_total_ && most > 0 && traced_.segments.empty();
+void SilhouetteChains::count_silhouettes(const SegmentTable& table) {
+    const std::uint32_t most = table.candidates.drawable();
+    const std::uint32_t guess = last_total_ ? guess_after(*last_total_, most) : most;
+    has_many_more_ = false;
+    is_guessed_ = guesses_ && last_total_ && most > 0 && traced_.segments.empty() &&
+                  has_memory_for(guess, table);
     if (is_guessed_) {
-        constexpr std::uint32_t some = 256;
-        const std::uint64_t guess = std::uint64_t{*last_total_} + *last_total_ / 4 + some;
-        count_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(guess, most));
+        count_ = guess;
         return;
     }
     count_ = read_one<la_uint>(device_, *tables_.numbers, most);
     last_total_ = count_;
+    has_many_more_ = count_ > guess;
+    if (has_many_more_) positions_before_ = nullptr;
+}
+
+bool SilhouetteChains::has_memory_for(std::uint64_t silhouettes, const SegmentTable& table) const {
+    // As if no table were there yet. A table that grows takes a quarter more.
+    const std::uint64_t grown = silhouettes + silhouettes / 4;
+    const std::uint64_t segments = table.candidates.first + grown;
+    const std::uint64_t vertices = table.vertices.size() + grown * bytes_of_places;
+    const std::uint64_t all = segments * bytes_of_segment + grown * bytes_of_silhouette +
+                              (table.candidates.contours ? vertices : 0);
+    const std::uint64_t largest =
+        std::max({segments * sizeof(ClippedSegment), 2 * grown * sizeof(ChainWay), vertices});
+    return largest <= device_.largest_buffer() && all <= device_.free_memory();
 }
 
 bool SilhouetteChains::settle() {

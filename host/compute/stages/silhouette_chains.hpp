@@ -103,8 +103,11 @@ class SilhouetteChains {
     /// do not wait for their number. Then settle() must follow each.
     void guess(bool on) { guesses_ = on; }
     /// Call when the device is done with a frame. Returns false if it had more silhouettes than
-    /// there was room for; then it must be found again.
+    /// there was room for; then it must be found again, as a frame that follows none.
     bool settle();
+    /// Whether the frame has more silhouettes than would have been guessed. It follows none then,
+    /// so that it is the same whether or not the host guesses.
+    bool has_many_more() const { return has_many_more_; }
 
     /// The table of a frame, with the silhouettes that `view` shows, or with none unless they are
     /// `wanted`. Waits for their number, unless it was guessed; then the last segments may be none
@@ -164,7 +167,9 @@ class SilhouetteChains {
     }
     void list(const SegmentTable& table, Buffer& front);
     /// Finds how many silhouettes there are, or guesses.
-    void count_silhouettes(const SilhouetteCandidates& candidates);
+    void count_silhouettes(const SegmentTable& table);
+    /// Whether there is memory for all tables of a frame with so many silhouettes.
+    bool has_memory_for(std::uint64_t silhouettes, const SegmentTable& table) const;
     /// found: silhouettes that the device has found; traced ones follow them.
     void place_contours(const SegmentTable& table, Buffer& front, const SilhouetteView& view,
                         std::uint32_t found);
@@ -184,7 +189,8 @@ class SilhouetteChains {
     std::uint32_t first_ = 0;
     std::uint32_t count_ = 0; ///< silhouettes of the last frame, or room for them until settle()
     bool guesses_ = false;
-    bool is_guessed_ = false;                 ///< count_
+    bool is_guessed_ = false; ///< count_
+    bool has_many_more_ = false;
     std::optional<std::uint32_t> last_total_; ///< silhouettes of the frame before
     std::uint32_t total_ = 0;                 ///< of the device, after a guess
     bool has_order_ = false;
