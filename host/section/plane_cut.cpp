@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -18,15 +17,14 @@ namespace {
 
 class PlaneCutter {
   public:
-    PlaneCutter(const Mesh& mesh, const std::vector<std::uint32_t>& parts, const PlaneFrame& plane,
+    PlaneCutter(const Mesh& mesh, const PartNumbers& parts, const PlaneFrame& plane,
                 double rounding, const std::vector<bool>& uncut)
-        : mesh_(mesh), parts_(parts), plane_(plane), uncut_(uncut),
-          places_(place_numbers(mesh.positions, rounding)),
+        : mesh_(mesh), parts_(parts.of_triangle), part_of_polyline_(parts.of_polyline),
+          plane_(plane), uncut_(uncut), places_(place_numbers(mesh.positions, rounding)),
           is_uncut_place_(mesh.positions.size(), false), on_plane_(cut_.mesh.positions, rounding) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            if (!uncut[parts[i]]) continue;
+            if (!uncut[parts_[i]]) continue;
             for (int k = 0; k < 3; ++k) is_uncut_place_[places_[mesh.triangles[i][k]]] = true;
-            if (!mesh.triangle_object.empty()) uncut_objects_.insert(mesh.triangle_object[i]);
         }
         distances_.reserve(mesh.positions.size());
         for (const std::uint32_t place : places_) {
@@ -41,13 +39,13 @@ class PlaneCutter {
     }
 
     PlaneCut cut() {
-        bool any_below = false, any_above = false;
+        Sides all, cut_parts;
         for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
             const glm::uvec3 given = mesh_.triangles[i];
             const glm::uvec3 corners{places_[given.x], places_[given.y], places_[given.z]};
             const int count = is_beyond(corners.x) + is_beyond(corners.y) + is_beyond(corners.z);
-            any_below |= count < 3;
-            any_above |= count > 0;
+            all.note(count);
+            if (!uncut_[parts_[i]]) cut_parts.note(count);
             if (count == 0 || uncut_[parts_[i]]) {
                 keep({corner(i, 0), corner(i, 1), corner(i, 2)}, i);
             } else if (count < 3) {
@@ -58,11 +56,24 @@ class PlaneCutter {
         for (const KnownEdge& edge : mesh_.known_edges) clip_known_edge(edge);
         cut_.mesh.edge_curves = mesh_.edge_curves;
         cut_.mesh.edge_entities = mesh_.edge_entities;
-        cut_.misses = !any_below || !any_above;
+        cut_.misses = !all.both();
+        cut_.cuts_none = !cut_parts.both();
         return std::move(cut_);
     }
 
   private:
+    /// The sides of the plane on which triangles are.
+    struct Sides {
+        bool below = false, above = false;
+
+        /// `beyond`: how many of a triangle's corners are beyond the plane.
+        void note(int beyond) {
+            below |= beyond < 3;
+            above |= beyond > 0;
+        }
+        bool both() const { return below && above; }
+    };
+
     bool is_beyond(std::uint32_t position) const { return distances_[position] >= 0; }
 
     /// A corner of a triangle before or after the cut.
@@ -91,7 +102,7 @@ class PlaneCutter {
             cut_.mesh.surfaces.add_triangle(
                 mesh_.surfaces.of_triangle[triangle],
                 {corners[0].parameters, corners[1].parameters, corners[2].parameters});
-        cut_.part_of_triangle.push_back(parts_[triangle]);
+        cut_.parts.of_triangle.push_back(parts_[triangle]);
         if (!mesh_.triangle_group.empty())
             cut_.mesh.triangle_group.push_back(mesh_.triangle_group[triangle]);
         if (!mesh_.triangle_object.empty())
@@ -180,12 +191,13 @@ class PlaneCutter {
 
     void clip_polyline(std::size_t index) {
         const std::vector<std::uint32_t>& polyline = mesh_.polylines[index];
-        const bool is_uncut =
-            !mesh_.polyline_object.empty() && uncut_objects_.contains(mesh_.polyline_object[index]);
+        const std::uint32_t owner = part_of_polyline_[index];
+        const bool is_uncut = owner != no_part && uncut_[owner];
         std::vector<std::uint32_t> part;
         const auto finish = [&] {
             if (part.size() > 1) {
                 cut_.mesh.polylines.push_back(part);
+                cut_.parts.of_polyline.push_back(owner);
                 if (!mesh_.polyline_kind.empty())
                     cut_.mesh.polyline_kind.push_back(mesh_.polyline_kind[index]);
                 if (!mesh_.polyline_object.empty())
@@ -223,12 +235,12 @@ class PlaneCutter {
     }
 
     const Mesh& mesh_;
-    const std::vector<std::uint32_t>& parts_;
+    const std::vector<std::uint32_t>& parts_; ///< per triangle
+    const std::vector<std::uint32_t>& part_of_polyline_;
     const PlaneFrame& plane_;
     const std::vector<bool>& uncut_;
     std::vector<std::uint32_t> places_;
-    std::vector<bool> is_uncut_place_;      ///< a corner of an uncut part
-    std::set<std::uint32_t> uncut_objects_; ///< Mesh::triangle_object of these parts
+    std::vector<bool> is_uncut_place_; ///< a corner of an uncut part
     std::vector<double> distances_;
     std::unordered_map<std::uint64_t, std::uint32_t> points_;
     std::map<TriangleKey, std::uint32_t> step_of_;
@@ -238,9 +250,9 @@ class PlaneCutter {
 
 } // namespace
 
-PlaneCut cut_by_plane(const Mesh& mesh, const std::vector<std::uint32_t>& part_of_triangle,
-                      const PlaneFrame& plane, double rounding, const std::vector<bool>& uncut) {
-    return PlaneCutter{mesh, part_of_triangle, plane, rounding, uncut}.cut();
+PlaneCut cut_by_plane(const Mesh& mesh, const PartNumbers& parts, const PlaneFrame& plane,
+                      double rounding, const std::vector<bool>& uncut) {
+    return PlaneCutter{mesh, parts, plane, rounding, uncut}.cut();
 }
 
 } // namespace lineatlas

@@ -75,24 +75,29 @@ class Sectioner {
     Sectioner(const Mesh& mesh, const Hatching& hatching, std::span<const std::string> uncut)
         : hatching_(hatching), bounds_(bounds_of(mesh)), rounding_(rounding * reach_of(bounds_)),
           parts_(find_parts(mesh, place_numbers(mesh.positions, rounding_))),
-          part_of_triangle_(parts_.of_triangle), uncut_(parts_.name.size(), false) {
+          uncut_(parts_.name.size(), false) {
         for (const std::string& name : uncut) leave_whole(name);
+        part_numbers_ = {.of_triangle = parts_.of_triangle, .of_polyline = uncut_lines(mesh)};
         section_.mesh = mesh;
     }
 
     void cut(const SectionPlane& plane) {
         const PlaneFrame frame{plane.point, plane.normal};
-        PlaneCut cut = cut_by_plane(section_.mesh, part_of_triangle_, frame, rounding_, uncut_);
+        PlaneCut cut = cut_by_plane(section_.mesh, part_numbers_, frame, rounding_, uncut_);
         if (cut.misses) refuse(plane, frame);
+        if (cut.cuts_none)
+            throw UsageError(fmt::format("section {} cuts nothing: all parts that it goes through "
+                                         "are uncut",
+                                         name_of(plane)));
         follow_curves(cut, frame);
         const CutFaces faces = find_faces(cut, frame);
         mesh_ = &cut.mesh;
-        part_of_triangle_ = std::move(cut.part_of_triangle);
+        part_numbers_ = std::move(cut.parts);
         name_kinds();
         const double whole = size_of(faces.closed);
         for (const CutFace& face : faces.closed) add_face(face, frame, whole);
         for (const CutStep& step : faces.open)
-            add_line({step.from, step.to}, PolylineKind::section, step.triangle);
+            add_line({step.from, step.to}, PolylineKind::section, step.part, step.triangle);
         if (!faces.gaps.empty()) note(plane, faces.gaps);
         section_.mesh = std::move(cut.mesh);
     }
@@ -101,6 +106,8 @@ class Sectioner {
 
   private:
     void leave_whole(const std::string& name) {
+        if (name.empty())
+            throw UsageError("sections: the name of a part that stays whole must not be empty");
         bool is_known = false;
         for (std::size_t part = 0; part < uncut_.size(); ++part) {
             if (!names_part(name, parts_.name[part])) continue;
@@ -110,6 +117,25 @@ class Sectioner {
             throw UsageError(fmt::format("sections: no part is called \"{}\"; `lineatlas info` "
                                          "lists the parts",
                                          name));
+    }
+
+    /// Per line of the mesh a part of its object, if all parts of the object stay whole.
+    std::vector<std::uint32_t> uncut_lines(const Mesh& mesh) const {
+        std::vector<std::uint32_t> parts(mesh.polylines.size(), no_part);
+        if (mesh.polyline_object.empty() || mesh.triangle_object.empty()) return parts;
+        std::map<std::uint32_t, std::uint32_t> part_of_object;
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const std::uint32_t part =
+                uncut_[parts_.of_triangle[i]] ? parts_.of_triangle[i] : no_part;
+            std::uint32_t& one =
+                part_of_object.emplace(mesh.triangle_object[i], part).first->second;
+            if (part == no_part) one = no_part;
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto found = part_of_object.find(mesh.polyline_object[i]);
+            if (found != part_of_object.end()) parts[i] = found->second;
+        }
+        return parts;
     }
 
     [[noreturn]] void refuse(const SectionPlane& plane, const PlaneFrame& frame) const {
@@ -145,9 +171,11 @@ class Sectioner {
 
     void name_kinds() { mesh_->polyline_kind.resize(mesh_->polylines.size(), PolylineKind::file); }
 
-    /// Adds a line. `triangle`: one of the part that the line belongs to.
-    void add_line(std::vector<std::uint32_t> line, PolylineKind kind, std::uint32_t triangle) {
+    /// Adds a line of a part. `triangle`: one of the part.
+    void add_line(std::vector<std::uint32_t> line, PolylineKind kind, std::uint32_t part,
+                  std::uint32_t triangle) {
         mesh_->polylines.push_back(std::move(line));
+        part_numbers_.of_polyline.push_back(part);
         mesh_->polyline_kind.push_back(kind);
         if (!mesh_->polyline_object.empty() && !mesh_->triangle_object.empty())
             mesh_->polyline_object.push_back(mesh_->triangle_object[triangle]);
@@ -158,7 +186,7 @@ class Sectioner {
         Mesh& mesh = *mesh_;
         for (const glm::uvec3 triangle : face_triangles(face, mesh.positions)) {
             mesh.triangles.push_back(triangle);
-            part_of_triangle_.push_back(face.part);
+            part_numbers_.of_triangle.push_back(face.part);
             if (!mesh.triangle_group.empty())
                 mesh.triangle_group.push_back(mesh.triangle_group[face.triangle]);
             if (!mesh.triangle_object.empty())
@@ -170,7 +198,7 @@ class Sectioner {
         for (const CutLoop& loop : face.loops) {
             std::vector<std::uint32_t> line = loop.points;
             line.push_back(line.front());
-            add_line(std::move(line), PolylineKind::section, face.triangle);
+            add_line(std::move(line), PolylineKind::section, face.part, face.triangle);
         }
         if (hatching_.none) return;
         const std::size_t number =
@@ -184,7 +212,7 @@ class Sectioner {
             const auto first = static_cast<std::uint32_t>(mesh.positions.size());
             mesh.positions.push_back(frame.space(from));
             mesh.positions.push_back(frame.space(to));
-            add_line({first, first + 1}, PolylineKind::hatching, face.triangle);
+            add_line({first, first + 1}, PolylineKind::hatching, face.part, face.triangle);
         }
     }
 
@@ -204,7 +232,7 @@ class Sectioner {
     Bounds bounds_;
     double rounding_; ///< in the model's unit
     Parts parts_;
-    std::vector<std::uint32_t> part_of_triangle_;
+    PartNumbers part_numbers_;                     ///< of the mesh as it is cut so far
     std::vector<bool> uncut_;                      ///< per part whether it stays whole
     std::map<std::uint32_t, std::size_t> numbers_; ///< numbers of looks, in the order in which they
                                                    ///< are met

@@ -455,6 +455,27 @@ TEST(Sections, LinesAndEdgesOfUncutPartsStayWhole) {
     EXPECT_EQ(highest, 1);
 }
 
+// As in meshes of programs: one object has all parts.
+TEST(Sections, CutPartsBesideUncutOnesOfTheSameObjectLoseTheirLines) {
+    Mesh two = cube();
+    add(two, placed(cylinder(16, true), {0, 0, 0}, 0.5F));
+    two.groups = {{"plate", ""}, {"Bolt 1", ""}};
+    two.triangle_group.assign(two.triangles.size(), 1);
+    std::fill_n(two.triangle_group.begin(), 12, 0U);
+    two.triangle_object.assign(two.triangles.size(), 0);
+    add_polyline(two, std::vector<glm::vec3>{{-1, 1, -1}, {1, 1, -1}});
+    two.polyline_object = {0};
+    const std::vector planes{plane({0, 0, 0}, {0, 0, 1}), plane({0, 0, 0}, {1, 0, 0})};
+    const Section rest =
+        cut_mesh(two, planes, {.spacing = 0.1}, std::array<std::string, 1>{"Bolt*"});
+    for (const auto kind : {PolylineKind::section, PolylineKind::hatching, PolylineKind::file}) {
+        const auto lines = polylines(rest.mesh, kind);
+        EXPECT_FALSE(lines.empty());
+        for (const auto& line : lines)
+            for (const glm::vec3 at : line) EXPECT_LE(at.x, 1e-5F);
+    }
+}
+
 TEST(Sections, WhatDoesNotCloseIsSaidAndStaysOpen) {
     Mesh mesh = cylinder(16, false);
     mesh.triangles.pop_back(); // a gap in its side
@@ -523,6 +544,21 @@ TEST(Sections, RefusesWhatCannotBe) {
     EXPECT_NE(refusal([&] {
                   cut_mesh(cube(), std::array{many[0]}, {}, std::array<std::string, 1>{"Bolt*"});
               }).find("no part is called \"Bolt*\""),
+              std::string::npos);
+    EXPECT_NE(refusal([&] {
+                  cut_mesh(cube(), std::array{many[0]}, {}, std::array<std::string, 1>{});
+              }).find("must not be empty"),
+              std::string::npos);
+    // The plane goes through the upper cube alone.
+    Mesh two = cube();
+    add(two, placed(cube(), {3, 0, 3}, 1));
+    two.groups = {{"lower", ""}, {"upper", ""}};
+    two.triangle_group.assign(two.triangles.size(), 1);
+    std::fill_n(two.triangle_group.begin(), 12, 0U);
+    EXPECT_NE(refusal([&] {
+                  cut_mesh(two, std::array{plane({0, 0, 3}, {0, 0, 1})}, {},
+                           std::array<std::string, 1>{"upper"});
+              }).find("cuts nothing"),
               std::string::npos);
 }
 
