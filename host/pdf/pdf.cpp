@@ -86,9 +86,9 @@ pdf::Strokes strokes_of(const LineGroup& group, const Sheet& sheet, const ArcCho
                          .dashes = stroke.dashes,
                          .ways = {}};
     for (const VectorPath& path : group.paths) {
-        strokes.ways.push_back(way_of(outline_of(path, sheet, arcs)));
-        strokes.ways.back().dash_scale =
-            dash_scale(stroke, sheet.scale * length_of(path), path.closed);
+        const Outline outline = outline_of(path, sheet, arcs);
+        strokes.ways.push_back(way_of(outline));
+        strokes.ways.back().dash_scale = dash_scale(stroke, outline);
     }
     return strokes;
 }

@@ -7,8 +7,6 @@
 
 #include "dxf_layers.hpp"
 #include "dxf_tables.hpp"
-#include "paths.hpp"
-#include "pen_stroke.hpp"
 #include "tags.hpp"
 
 namespace lineatlas {
@@ -47,12 +45,17 @@ std::string entities_text(const VectorPath& path) {
 void DxfEntities::write(const LineGroup& group, const Sheet& sheet, const ArcChoice& arcs,
                         const DxfLook& look) {
     look_ = look;
-    const PenStroke stroke = pen_stroke(group.pen, sheet);
+    stroke_ = pen_stroke(group.pen, sheet);
     for (const VectorPath& path : group.paths) {
         entities_ = look.tags ? entities_text(path) : std::string{};
-        look_.dash_scale = dash_scale(stroke, sheet.scale * length_of(path), path.closed);
         write(outline_of(path, sheet, arcs));
     }
+    stroke_ = {};
+    dash_scale_ = 1;
+}
+
+void DxfEntities::fit_dashes(double length, bool closed) {
+    if (!stroke_.dashes.empty()) dash_scale_ = dash_scale(stroke_, length, closed);
 }
 
 void DxfEntities::write(const Outline& outline, const DxfLook& look) {
@@ -142,11 +145,11 @@ void DxfEntities::begin(std::string_view type, std::string_view subclass,
     text_.begin(type, block_);
     text_.add(100, "AcDbEntity");
     text_.add(8, look_.layer);
-    if (look_.dash_scale == 0) text_.add(6, "CONTINUOUS");
+    if (dash_scale_ == 0) text_.add(6, "CONTINUOUS");
     if (color) text_.add(62, nearest_index(*color));
     if (color) text_.add(420, whole_color(*color));
     if (look_.line_weight != 0) text_.add(370, look_.line_weight);
-    if (look_.dash_scale != 0 && look_.dash_scale != 1) text_.add(48, look_.dash_scale);
+    if (dash_scale_ != 0 && dash_scale_ != 1) text_.add(48, dash_scale_);
     text_.add(100, subclass);
 }
 
@@ -175,6 +178,7 @@ void DxfEntities::write_line(const Outline& outline) {
 
 void DxfEntities::write_part(const Outline& outline) {
     const std::vector<OutlinePoint>& points = outline.points;
+    fit_dashes(length_of(outline), outline.closed);
     if (outline.is_round()) return write_circle(outline);
     if (points.size() == 2 && !outline.closed && points[0].bulge != 0) return write_arc(outline);
     if (points.size() == 2 && !outline.closed) return write_line(outline);
@@ -204,12 +208,14 @@ void DxfEntities::write_arc(const Outline& outline) {
 }
 
 void DxfEntities::write_ellipse(const OutlinePoint& point, double sweep) {
+    VectorArc arc = *point.arc;
+    arc.sweep = sweep;
+    const bool whole = std::abs(sweep) >= turn;
+    fit_dashes(length_of(arc), whole);
     begin("ELLIPSE", "AcDbEllipse");
-    const VectorArc& arc = *point.arc;
     add_point(10, arc.center, fine);
     add_in_space(11, {arc.major.x, -arc.major.y}, fine);
     text_.add(40, arc.ratio, fine);
-    const bool whole = std::abs(sweep) >= turn;
     const auto [from, to] = counter_clockwise(arc.from, sweep);
     const double start = whole ? 0 : from_0_to_turn(from);
     text_.add(41, start, fine);
@@ -218,6 +224,7 @@ void DxfEntities::write_ellipse(const OutlinePoint& point, double sweep) {
 }
 
 void DxfEntities::write_spline(const std::vector<OutlinePoint>& points) {
+    fit_dashes(length_of(Outline{.points = points, .closed = false}));
     begin("SPLINE", "AcDbSpline");
     const int count = static_cast<int>(points.size()) - 1;
     constexpr int planar = 8, degree = 3;
@@ -242,7 +249,9 @@ void DxfEntities::write_spline(const std::vector<OutlinePoint>& points) {
 void DxfEntities::write_polyline(const Outline& outline) {
     begin("LWPOLYLINE", "AcDbPolyline");
     text_.add(90, static_cast<int>(outline.points.size()));
-    text_.add(70, outline.closed ? 1 : 0);
+    const int closed = outline.closed ? 1 : 0;
+    const int through = stroke_.dashes.empty() ? 0 : 128; // dashes go on around vertices
+    text_.add(70, closed + through);
     for (const OutlinePoint& point : outline.points) {
         text_.add(10, place(point.at));
         if (point.bulge != 0) text_.add(42, -point.bulge, 9); // it stands for an angle

@@ -8,15 +8,15 @@
 #include "line_groups.hpp"
 #include "lineatlas/sheet.hpp"
 #include "outline.hpp"
+#include "pen_stroke.hpp"
 
 namespace lineatlas {
 
 /// The layer and the look of entities.
 struct DxfLook {
     std::string_view layer{};
-    bool tags = false;     ///< what the file calls edges and faces, as extended data
-    int line_weight = 0;   ///< hundredths of a millimetre; 0: that of the layer
-    double dash_scale = 1; ///< of the layer's linetype; 0: continuous
+    bool tags = false;   ///< what the file calls edges and faces, as extended data
+    int line_weight = 0; ///< hundredths of a millimetre; 0: that of the layer
 };
 
 /// Outlines as entities of one block. y goes up in DXF, so arcs turn the other way.
@@ -61,8 +61,13 @@ class DxfEntities {
     DxfText& text_;
     Handle block_;
     double height_;
-    DxfLook look_{};       ///< of what is written
-    std::string entities_; ///< that it shows
+    /// Scales dashes for an entity of this length.
+    void fit_dashes(double length, bool closed = false);
+
+    DxfLook look_{};        ///< of what is written
+    std::string entities_;  ///< that it shows
+    PenStroke stroke_{};    ///< of the paths that are written; no dashes: as its layer is
+    double dash_scale_ = 1; ///< of the layer's linetype; 0: continuous
 };
 
 } // namespace lineatlas

@@ -60,6 +60,29 @@ Outline of_chords(const VectorPath& path) {
     return outline;
 }
 
+/// The integral of a smooth function from 0 to 1, by Gauss's rule of three points in each of
+/// several parts.
+template <class Function>
+double integral(const Function& function) {
+    constexpr int parts = 32;
+    const double off = 0.5 * std::sqrt(0.6);
+    double sum = 0;
+    for (int i = 0; i < parts; ++i) {
+        const auto at = [&](double share) { return function((i + share) / parts); };
+        sum += (5 * at(0.5 - off) + 8 * at(0.5) + 5 * at(0.5 + off)) / 18;
+    }
+    return sum / parts;
+}
+
+double length_of(const VectorCubic& cubic, glm::dvec2 start, glm::dvec2 end) {
+    const glm::dvec2 a = cubic.first_control - start, b = cubic.last_control - cubic.first_control,
+                     c = end - cubic.last_control;
+    return 3 * integral([&](double t) {
+               const double s = 1 - t;
+               return glm::length(s * s * a + 2 * s * t * b + t * t * c);
+           });
+}
+
 } // namespace
 
 bool Outline::is_round() const {
@@ -84,6 +107,32 @@ VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to) {
             .ratio = 1,
             .from = std::atan2(out.y, out.x),
             .sweep = 4 * std::atan(bulge)};
+}
+
+double length_of(const VectorArc& arc) {
+    const double reach = glm::length(arc.major);
+    if (arc.ratio == 1) return reach * std::abs(arc.sweep);
+    return std::abs(arc.sweep) * reach * integral([&](double share) {
+               const double angle = arc.from + share * arc.sweep;
+               return std::hypot(std::sin(angle), arc.ratio * std::cos(angle));
+           });
+}
+
+double length_of(const Outline& outline) {
+    const std::vector<OutlinePoint>& points = outline.points;
+    const std::size_t steps = points.size() - (outline.closed || points.empty() ? 0 : 1);
+    double length = 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const OutlinePoint& from = points[i];
+        const glm::dvec2 to = points[(i + 1) % points.size()].at;
+        if (from.cubic)
+            length += length_of(*from.cubic, from.at, to);
+        else if (!from.is_straight())
+            length += length_of(arc_between(from, to));
+        else
+            length += glm::distance(from.at, to);
+    }
+    return length;
 }
 
 std::vector<Outline> outlines_of(const VectorFill& fill, const Sheet& sheet) {

@@ -39,6 +39,10 @@ struct Outline {
 /// From a point from which the way is an arc.
 VectorArc arc_between(const OutlinePoint& from, glm::dvec2 to);
 
+/// Lengths of what is drawn, in its own units.
+double length_of(const VectorArc& arc);
+double length_of(const Outline& outline);
+
 /// Which arcs are wanted.
 struct ArcChoice {
     bool known = true;   ///< VectorPath::curves

@@ -43,4 +43,8 @@ double dash_scale(const PenStroke& stroke, double length, bool closed) {
     return scale < least ? 0 : scale;
 }
 
+double dash_scale(const PenStroke& stroke, const Outline& outline) {
+    return stroke.dashes.empty() ? 1 : dash_scale(stroke, length_of(outline), outline.closed);
+}
+
 } // namespace lineatlas

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lineatlas/style.hpp"
+#include "outline.hpp"
 #include "sheet.hpp"
 
 namespace lineatlas {
@@ -25,5 +26,7 @@ PenStroke pen_stroke(const Pen& pen, const Sheet& sheet);
 /// with dots has a dash in its middle, too, where others cross it (ISO 128-2). A closed line has
 /// whole patterns. 0: the line is too short for that, and has no gaps. 1 for rows of dots.
 double dash_scale(const PenStroke& stroke, double length, bool closed);
+/// The same for an outline, measured along its curves.
+double dash_scale(const PenStroke& stroke, const Outline& outline);
 
 } // namespace lineatlas

@@ -119,12 +119,12 @@ void write_paths(XmlElement& parent, const VectorDrawing& drawing, const Sheet& 
         XmlElement& node = add_group(parent, group, sheet, how);
         const PenStroke stroke = pen_stroke(group.pen, sheet);
         for (const VectorPath& path : group.paths) {
-            const std::string data =
-                path_data(outline_of(path, sheet, how.arcs), sheet.digits, how.relative);
+            const Outline outline = outline_of(path, sheet, how.arcs);
+            const std::string data = path_data(outline, sheet.digits, how.relative);
             if (data.empty()) continue;
             XmlElement& element = node.add("path");
             element.set("d", data);
-            const double scale = dash_scale(stroke, sheet.scale * length_of(path), path.closed);
+            const double scale = dash_scale(stroke, outline);
             if (scale != 1)
                 element.set("stroke-dasharray", dashes_text(stroke, scale, sheet.digits));
             if (how.tags) add_text(element, "desc", tags_text(drawing, path));

@@ -143,6 +143,47 @@ TEST(Dxf, ChainsBeginAndEndWithADash) {
     EXPECT_EQ(value(lines[1], 48), "");
 }
 
+TEST(Dxf, DashesGoOnAroundCorners) {
+    const auto flags = [](const std::string& mark) {
+        VectorDrawing drawing = example();
+        drawing.style.pen.mark = mark;
+        drawing.pens = {drawing.style.pen};
+        drawing.paths.push_back(
+            path_through(LineKind::crease, true, {{10, 80}, {90, 80}, {90, 160}, {10, 80}}));
+        std::string all;
+        for (const auto& line : objects(to_dxf(drawing, on_page), "ENTITIES", "LWPOLYLINE"))
+            all += value(line, 70) + " ";
+        return all;
+    };
+    EXPECT_EQ(flags("solid").substr(0, 4), "0 1 ");
+    EXPECT_EQ(flags("dashed").substr(0, 8), "128 129 ");
+}
+
+TEST(Dxf, EveryEntityOfADashedPathBeginsAndEndsWithADash) {
+    VectorDrawing drawing{.size = {400, 200}, .style = {}, .groups = {}, .paths = {}};
+    drawing.style.pen.mark = "dashed";
+    drawing.pens = {drawing.style.pen}; // 1 mm, so dashes of 12 mm and gaps of 3 mm
+    std::vector<glm::dvec2> points{{20, 100}};
+    const VectorArc arc{.center = {240, 100},
+                        .major = {80, 0},
+                        .ratio = 0.5,
+                        .from = std::acos(-1),
+                        .sweep = std::acos(-1)};
+    for (int i = 0; i <= 32; ++i) points.push_back(arc.at(arc.from + arc.sweep * i / 32));
+    VectorPath path = path_through(LineKind::crease, true, points);
+    path.curves.push_back({.first = 1, .last = 33, .arc = arc});
+    drawing.paths = {path};
+    const std::string dxf = to_dxf(drawing, on_page);
+    const auto lines = objects(dxf, "ENTITIES", "LINE");
+    const auto ellipses = objects(dxf, "ENTITIES", "ELLIPSE");
+    ASSERT_EQ(lines.size(), 1U);
+    ASSERT_EQ(ellipses.size(), 1U);
+    const auto periods = [](double length, double scale) { return (length / scale - 12) / 15; };
+    EXPECT_NEAR(periods(70, number(lines[0], 48)), 4, 1e-3);
+    // Half an ellipse of half axes of 40 and 20 mm is 96.884 mm long.
+    EXPECT_NEAR(periods(96.884, number(ellipses[0], 48)), 6, 1e-3);
+}
+
 TEST(Dxf, MillimetresFromTheLowerLeftCorner) {
     const std::string dxf = to_dxf(example(), on_page);
     const auto lines = objects(dxf, "ENTITIES", "LINE");

@@ -311,6 +311,41 @@ TEST(Svg, DashedLinesBeginAndEndWithADash) {
     }
 }
 
+// The rim of a cylinder of 24 sides. Chords are shorter than the circle by 5.4 pixels.
+TEST(Svg, DashesAreMeasuredAlongCurves) {
+    constexpr double radius = 300;
+    const double turn = 2 * std::acos(-1);
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= 24; ++i)
+        points.emplace_back(400 + radius * std::cos(turn * (i % 24) / 24),
+                            400 + radius * std::sin(turn * (i % 24) / 24));
+    VectorDrawing drawing{.size = {800, 800}, .style = {}, .groups = {}, .paths = {}};
+    drawing.style.pen.mark = "dashed";
+    drawing.style.pen.width = 2;
+    drawing.pens = {drawing.style.pen};
+    VectorPath path = path_through(LineKind::crease, true, points);
+    for (const bool known : {true, false}) {
+        SCOPED_TRACE(known);
+        path.curves.clear();
+        if (known)
+            path.curves.push_back({.first = 0,
+                                   .last = 24,
+                                   .arc = {.center = {400, 400},
+                                           .major = {radius, 0},
+                                           .ratio = 1,
+                                           .from = 0,
+                                           .sweep = turn}});
+        drawing.paths = {path};
+        const pugi::xml_document svg = parsed(to_svg(drawing, {.fit_arcs = true}));
+        std::istringstream text{
+            svg.child("svg").child("g").child("path").attribute("stroke-dasharray").value()};
+        double dash = 0, gap = 0;
+        text >> dash >> gap;
+        const double periods = turn * radius / (dash + gap);
+        EXPECT_NEAR(periods, std::round(periods), 0.01);
+    }
+}
+
 TEST(Svg, LinesTooShortForGapsAreSolid) {
     EXPECT_EQ(own_dashes("chain", 42), "none");
     EXPECT_NE(own_dashes("dashed", 7), "none");
