@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -25,7 +26,58 @@ struct End {
     bool at_end;
 
     std::size_t number() const { return 2 * std::size_t{path} + (at_end ? 1 : 0); }
-    auto order() const { return std::tuple{at.x, at.y, number()}; }
+};
+
+/// The ends of all paths, by place.
+class EndsByPlace {
+  public:
+    EndsByPlace(const std::vector<VectorPath>& paths, const std::vector<End>& ends) {
+        entries_.reserve(ends.size());
+        for (const End& end : ends)
+            entries_.push_back({paths[end.path].visible, cell_of(end.at), end});
+        std::ranges::sort(entries_, {}, &Entry::order);
+    }
+
+    /// The end that is where another one is, if it is the only one. Hidden ends are not beside
+    /// visible ones.
+    std::optional<End> only_one_beside(const End& end, bool visible) const {
+        std::optional<End> found;
+        const auto [column, row] = cell_of(end.at);
+        for (double x = column - 1; x <= column + 1; ++x) {
+            auto entry = std::ranges::lower_bound(
+                entries_, std::tuple{visible, x, row - 1, std::size_t{0}}, {}, &Entry::order);
+            for (; entry != entries_.end() && entry->visible == visible && entry->cell.x == x &&
+                   entry->cell.y <= row + 1;
+                 ++entry) {
+                if (entry->end.number() == end.number() ||
+                    glm::distance(entry->end.at, end.at) > same_point)
+                    continue;
+                if (found) return std::nullopt;
+                found = entry->end;
+            }
+        }
+        return found;
+    }
+
+  private:
+    struct Cell {
+        double x, y;
+    };
+    struct Entry {
+        bool visible;
+        Cell cell;
+        End end;
+
+        std::tuple<bool, double, double, std::size_t> order() const {
+            return {visible, cell.x, cell.y, end.number()};
+        }
+    };
+
+    static Cell cell_of(glm::dvec2 at) {
+        return {std::floor(at.x / same_point), std::floor(at.y / same_point)};
+    }
+
+    std::vector<Entry> entries_;
 };
 
 class Joints {
@@ -33,15 +85,20 @@ class Joints {
     explicit Joints(std::vector<VectorPath>& paths)
         : paths_(paths), partners_(2 * paths.size(), none), is_taken_(paths.size(), false) {
         std::vector<End> ends;
+        bool any_on_surface = false;
         for (std::uint32_t i = 0; i < paths.size(); ++i)
             if (!paths[i].closed)
-                for (const bool at_end : {false, true})
+                for (const bool at_end : {false, true}) {
                     ends.push_back({point_of(i, at_end).at, i, at_end});
-        std::ranges::sort(ends, {}, &End::order);
-        for (std::size_t i = 0; i < ends.size(); ++i)
-            if (const std::optional<End> other = only_one_beside(ends, i);
-                other && go_on(ends[i], *other))
-                partners_[ends[i].number()] = other->number();
+                    any_on_surface |= is_on_surface(ends.back());
+                }
+        if (!any_on_surface) return;
+        const EndsByPlace by_place{paths, ends};
+        for (const End& end : ends) {
+            if (!is_on_surface(end)) continue;
+            const std::optional<End> other = by_place.only_one_beside(end, paths[end.path].visible);
+            if (other && go_on(end, *other)) partners_[end.number()] = other->number();
+        }
         for (std::size_t i = 0; i < partners_.size(); ++i)
             if (partners_[i] != none && partners_[partners_[i]] != i) partners_[i] = none;
     }
@@ -66,30 +123,9 @@ class Joints {
         return at_end ? paths_[path].points.back() : paths_[path].points.front();
     }
 
-    /// The end that is where another one is, if it is the only one.
-    std::optional<End> only_one_beside(const std::vector<End>& ends, std::size_t i) const {
-        std::optional<End> found;
-        const auto ask = [&](const End& other) {
-            if (glm::distance(other.at, ends[i].at) > same_point ||
-                paths_[other.path].visible != paths_[ends[i].path].visible)
-                return true;
-            const bool is_first = !found;
-            found = other;
-            return is_first;
-        };
-        for (std::size_t k = i; k-- > 0 && ends[i].at.x - ends[k].at.x <= same_point;)
-            if (!ask(ends[k])) return std::nullopt;
-        for (std::size_t k = i + 1; k < ends.size() && ends[k].at.x - ends[i].at.x <= same_point;
-             ++k)
-            if (!ask(ends[k])) return std::nullopt;
-        return found;
-    }
-
     bool go_on(const End& a, const End& b) const {
         const VectorPath &one = paths_[a.path], &other = paths_[b.path];
-        if (!is_on_surface(a) || !is_on_surface(b) || one.outline != other.outline ||
-            one.pen != other.pen)
-            return false;
+        if (!is_on_surface(b) || one.outline != other.outline || one.pen != other.pen) return false;
         const glm::dvec2 out = way_out(a), in = -way_out(b);
         const double turn = std::atan2(out.x * in.y - out.y * in.x, glm::dot(out, in));
         return std::abs(turn) < sharpest;
