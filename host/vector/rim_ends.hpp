@@ -29,6 +29,7 @@ class RimEnds {
         std::uint32_t rim; ///< a path
     };
 
+    glm::dvec2 size_;
     std::vector<Touch> touches_;
 };
 
