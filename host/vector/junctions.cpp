@@ -1,6 +1,7 @@
 #include "junctions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "patch_cover.hpp"
 #include "segment_grid.hpp"
 #include "shared/constants.h"
 
@@ -24,6 +26,10 @@ constexpr double same_depth = 1e-5;
 /// How far from its silhouette the exact method may see a line vanish, pixels: triangles are inside
 /// their surface, and the line may come to the silhouette aslant.
 constexpr double exact_reach = 2.5;
+/// How far beyond the end of a visible line, in pixels, is asked what hides it.
+constexpr double beyond_end = 0.05;
+/// The same for silhouettes. They are tested off their surface, so they vanish a little early.
+constexpr double beyond_silhouette = 1.75;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -36,8 +42,8 @@ struct Range {
 
 class Junctions {
   public:
-    Junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach)
-        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(picture),
+    Junctions(const LineSet& lines, const Camera& camera, Pieces& pieces, double reach)
+        : lines_(lines), pieces_(pieces), before_(pieces.list), grid_(glm::dvec2{camera.size}),
           reach_(pieces.exact ? std::max(reach, exact_reach) : reach),
           line_at_(lines.vertices.size(), no_line) {
         for (std::uint32_t i = 0; i < before_.size(); ++i) {
@@ -49,8 +55,10 @@ class Junctions {
             if (at_vertex(piece.start.kind)) note_line_at(segment.p, piece.segment);
             if (at_vertex(piece.end.kind)) note_line_at(segment.q, piece.segment);
         }
-        if (pieces.exact && !lines.contours.surfaces.empty())
+        if (pieces.exact && !lines.contours.surfaces.empty()) {
+            cover_.emplace(lines, camera);
             for (std::size_t i = 0; i < before_.size(); ++i) note_chord_ends(i);
+        }
     }
 
     std::size_t meet_all() {
@@ -67,12 +75,31 @@ class Junctions {
     bool is_beyond_triangles(const Piece& piece) const {
         const KnownSurfaces& known = lines_.contours.surfaces;
         return !known.empty() && is_contour(lines_, piece.segment) &&
-               known.of_triangle[piece.segment -
-                                 (lines_.segments.size() - lines_.contours.faces.size())] !=
-                   KnownSurfaces::none;
+               known.of_triangle[face_of(piece)] != KnownSurfaces::none;
+    }
+
+    /// The triangle of a contour, into Contours::faces.
+    std::uint32_t face_of(const Piece& piece) const {
+        return static_cast<std::uint32_t>(piece.segment -
+                                          (lines_.segments.size() - lines_.contours.faces.size()));
     }
 
     static PieceEnd& end_of(Piece& piece, bool at_end) { return at_end ? piece.end : piece.start; }
+    static const PieceEnd& end_of(const Piece& piece, bool at_end) {
+        return at_end ? piece.end : piece.start;
+    }
+
+    using Places = std::array<VectorPoint, 2>;
+
+    /// Places just beyond an end, on the line. What hides the line at one of them ends it.
+    Places hidden_beside(const Piece& piece, bool at_end) const {
+        const auto place = [&](double pixels) {
+            const double step = pixels / pieces_.segment_of(piece).length;
+            return pieces_.point(piece, end_of(piece, at_end).t + (at_end ? step : -step));
+        };
+        return {place(beyond_end),
+                place(is_contour(lines_, piece.segment) ? beyond_silhouette : beyond_end)};
+    }
 
     /// The next piece beyond an end, if there is one.
     Piece* neighbour(std::size_t i, bool at_end) {
@@ -100,7 +127,9 @@ class Junctions {
         double limit = at_end ? 1 : 0;
         if (beside) limit = end_of(*other, moves_along ? at_end : !at_end).t;
         const Range range = at_end ? Range{piece.start.t, limit} : Range{limit, piece.end.t};
-        const std::optional<double> t = nearest_crossing(piece, end.t, range, reach_);
+        const Places hidden = hidden_beside(before_[i], at_end);
+        const std::optional<double> t = nearest_crossing(
+            piece, {.t = end.t, .far = end_of(piece, !at_end).t, .reach = reach_}, range, hidden);
         if (!t)
             return meet_on_next_chord(i, at_end) ||
                    meet_vertex(piece, at_end, range, moves_along ? other : nullptr);
@@ -145,6 +174,14 @@ class Junctions {
         return next && !before_[next->piece].visible;
     }
 
+    /// The hidden piece of the same chord beyond an end, if there is one.
+    Piece* rest_of_chord(std::size_t i, bool at_end) {
+        Piece* const rest = neighbour(i, at_end);
+        const bool is_rest =
+            rest != nullptr && rest->screen == pieces_.list[i].screen && !rest->visible;
+        return is_rest ? rest : nullptr;
+    }
+
     /// A contour is a row of chords. The crossing may be on the next chord, which is hidden, or on
     /// the chord before, which is visible.
     bool meet_on_next_chord(std::size_t i, bool at_end) {
@@ -156,28 +193,31 @@ class Junctions {
             bool goes_on;
         };
         std::optional<Found> nearest;
+        Piece* const rest = rest_of_chord(i, at_end);
+        const Places hidden = hidden_beside(before_[i], at_end);
         for (const bool goes_on : {true, false}) {
             const bool side = goes_on == at_end;
             const double chord_end = side ? 1 : 0;
-            if (!goes_on && end_of(piece, side).t != chord_end) continue;
+            const double last = end_of(goes_on && rest != nullptr ? *rest : piece, side).t;
+            if (last != chord_end) continue;
             const double way =
                 std::abs(chord_end - end_of(piece, at_end).t) * pieces_.segment_of(piece).length;
             const std::optional<Side> next = next_chord(piece, side);
             if (!(way < reach_) || !next) continue;
             Piece& other = pieces_.list[next->piece];
+            if (!(pieces_.segment_of(other).length > 0)) continue; // seen end on
             const double from = next->at_end ? 1 : 0;
             if (other.visible == goes_on || end_of(other, next->at_end).t != from) continue;
-            const auto t =
-                nearest_crossing(other, from, {other.start.t, other.end.t}, reach_ - way);
+            const auto t = nearest_crossing(other, {.t = from, .far = {}, .reach = reach_ - way},
+                                            {other.start.t, other.end.t}, hidden);
             if (!t) continue;
             const double whole = way + std::abs(*t - from) * pieces_.segment_of(other).length;
             if (!nearest || whole < nearest->way) nearest = {*next, *t, whole, goes_on};
         }
         if (!nearest) return false;
-        Piece* const rest = neighbour(i, at_end);
         if (!nearest->goes_on)
             piece.visible = false;
-        else if (rest != nullptr && rest->screen == piece.screen)
+        else if (rest != nullptr)
             rest->visible = true;
         divide(nearest->side, nearest->t);
         return true;
@@ -233,17 +273,34 @@ class Junctions {
         line = line == no_line || line == segment ? segment : several_lines;
     }
 
-    std::optional<double> nearest_crossing(const Piece& piece, double t, Range range,
-                                           double reach) {
-        const double step = reach / pieces_.segment_of(piece).length;
-        const glm::dvec2 from = pieces_.point(piece, t - step).at;
-        const glm::dvec2 to = pieces_.point(piece, t + step).at;
+    /// An end that looks for a crossing.
+    struct Seeker {
+        double t;                  ///< where it is
+        std::optional<double> far; ///< where the other end of its piece is
+        double reach;              ///< pixels
+    };
+
+    /// `hidden`: where the line is hidden beside its old end. By the exact method the surface of
+    /// the silhouette that is met must hide one of these places.
+    std::optional<double> nearest_crossing(const Piece& piece, const Seeker& end, Range range,
+                                           const Places& hidden) {
+        const double length = pieces_.segment_of(piece).length, step = end.reach / length;
+        const glm::dvec2 from = pieces_.point(piece, end.t - step).at;
+        const glm::dvec2 to = pieces_.point(piece, end.t + step).at;
         std::optional<double> nearest;
         for (const std::uint32_t j : grid_.near(from, to, end_slack)) {
             const std::optional<double> found = crossing(piece, before_[j]);
             if (!found || *found < range.low || *found > range.high) continue;
-            if (std::abs(*found - t) > step) continue;
-            if (!nearest || std::abs(*found - t) < std::abs(*nearest - t)) nearest = found;
+            const double way = std::abs(*found - end.t);
+            if (way > step || (nearest && !(way < std::abs(*nearest - end.t)))) continue;
+            if (cover_) {
+                if (end.far && std::abs(*found - *end.far) * length < end_slack) continue;
+                if (std::ranges::none_of(hidden, [&](const VectorPoint& place) {
+                        return cover_->hides(face_of(before_[j]), place, exact_reach);
+                    }))
+                    continue;
+            }
+            nearest = found;
         }
         return nearest;
     }
@@ -279,6 +336,7 @@ class Junctions {
     const std::vector<Piece> before_; ///< lines cross at their old places, so that the order does
                                       ///< not matter
     SegmentGrid grid_;
+    std::optional<PatchCover> cover_; ///< with exact ends, of known surfaces
     double reach_;
     std::vector<std::uint32_t> line_at_; ///< per vertex, the segment that is visible there
     std::multimap<std::uint64_t, Side> ends_of_chords_; ///< of contours, by their names
@@ -288,8 +346,9 @@ class Junctions {
 
 } // namespace
 
-std::size_t meet_junctions(const LineSet& lines, glm::dvec2 picture, Pieces& pieces, double reach) {
-    return Junctions{lines, picture, pieces, reach}.meet_all();
+std::size_t meet_junctions(const LineSet& lines, const Camera& camera, Pieces& pieces,
+                           double reach) {
+    return Junctions{lines, camera, pieces, reach}.meet_all();
 }
 
 } // namespace lineatlas

@@ -149,7 +149,7 @@ VectorDrawing make_vector_drawing(const LineSet& lines, const Camera& camera,
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
     hide_beyond_corners(lines, camera, pieces);
-    meet_junctions(lines, picture, pieces);
+    meet_junctions(lines, camera, pieces);
     std::vector<Strip> strips = make_strips(lines, pieces);
     if (pens.tell_outlines() && !options.outlines.empty())
         mark_outlines(strips, pieces, options.outlines, picture, {lines, camera});

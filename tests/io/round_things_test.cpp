@@ -300,6 +300,47 @@ TEST_F(RoundThings, ASilhouetteEndsAtTheOneThatHidesIt) {
     EXPECT_EQ(met, 2 * 5);
 }
 
+/// The edges of a bar end behind a box. The outline of a pipe before the box is 1.25 to 2.5 pixels
+/// away from there, and hides what is farther away.
+TEST_F(RoundThings, ASilhouetteNearTheEndOfALineDoesNotMoveIt) {
+    constexpr double gap = 0.2, radius = 5;
+    const TopoDS_Shape far = BRepPrimAPI_MakeBox(gp_Pnt(-50, 40, 0), gp_Pnt(50, 50, 20)).Shape();
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, -10), gp_Pnt(30, 10, 30)).Shape();
+    for (const double side : {-1.0, 1.0}) {
+        SCOPED_TRACE(side);
+        const gp_Ax2 axis{gp_Pnt{side * (gap + radius), -20, -10}, gp::DZ()};
+        TopoDS_Compound all;
+        const BRep_Builder builder;
+        builder.MakeCompound(all);
+        builder.Add(all, far);
+        builder.Add(all, box);
+        builder.Add(all, BRepPrimAPI_MakeCylinder(axis, radius, 40).Shape());
+        const VectorDrawing drawn =
+            drawing("a.brep", to_brep(all), "front", {1000, 800}, Projection::orthographic);
+        const double scale = scale_of(view_, 800);
+        const auto place = [&](double x) {
+            return 500 + (x - static_cast<double>(view_.target.x)) * scale;
+        };
+        const auto is_of_bar = [&](glm::dvec2 at) {
+            const double z = static_cast<double>(view_.target.z) + (400 - at.y) / scale;
+            return std::abs(z) < 0.01 || std::abs(z - 20) < 0.01;
+        };
+        EXPECT_GT(gap * scale, 1.25);
+        EXPECT_LT(gap * scale, 2.5);
+        int ends = 0, starts = 0;
+        for (const VectorPath& path : drawn.paths) {
+            const glm::dvec2 a = path.points.front().at, b = path.points.back().at;
+            if (!path.visible || !is_of_bar(a) || !is_of_bar(b)) continue;
+            for (const double x : {a.x, b.x}) {
+                ends += std::abs(x - place(0)) < 0.05 ? 1 : 0;
+                starts += std::abs(x - place(-gap)) < 0.05 ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(ends, 2);                  // the upper and the lower edge
+        EXPECT_EQ(starts, side < 0 ? 2 : 0); // between the pipe and the box
+    }
+}
+
 /// A plate with a boss.
 TopoDS_Shape plate_with_boss() {
     const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-20, -20, 0), gp_Pnt(20, 20, 8)).Shape();

@@ -14,7 +14,6 @@ using test::Cuts;
 using test::flat_camera;
 using test::Lines;
 
-constexpr glm::dvec2 picture{200, 100};
 constexpr double rounding = 1e-4; // pixels, of matrices in floats
 
 TEST(VectorPieces, StandWhereTheCameraSeesThem) {
@@ -75,7 +74,7 @@ struct Crossing {
 TEST(Junctions, AnEndMeetsTheNearerLineExactly) {
     for (const float end : {98.9F, 99.5F, 100.0F, 101.2F}) {
         Crossing scene{end};
-        EXPECT_EQ(meet_junctions(scene.lines.set, picture, scene.pieces), 1U);
+        EXPECT_EQ(meet_junctions(scene.lines.set, flat_camera(), scene.pieces), 1U);
         const VectorPoint met = scene.pieces.end(scene.pieces.list[0]);
         EXPECT_NEAR(met.at.x, 100, rounding);
         EXPECT_NEAR(met.depth, 0.7, 1e-6); // the depth of the line itself, not of the nearer one
@@ -87,9 +86,9 @@ TEST(Junctions, AnEndMeetsTheNearerLineExactly) {
 
 TEST(Junctions, AnEndStaysWhereNothingNearerCrosses) {
     Crossing farther{99.5F, 0.8F};
-    EXPECT_EQ(meet_junctions(farther.lines.set, picture, farther.pieces), 0U);
+    EXPECT_EQ(meet_junctions(farther.lines.set, flat_camera(), farther.pieces), 0U);
     Crossing away{98.5F};
-    EXPECT_EQ(meet_junctions(away.lines.set, picture, away.pieces), 0U);
+    EXPECT_EQ(meet_junctions(away.lines.set, flat_camera(), away.pieces), 0U);
     EXPECT_NEAR(away.pieces.end(away.pieces.list[0]).at.x, 98.5, 1e-4);
 }
 
@@ -102,7 +101,7 @@ TEST(Junctions, TheNearestOfSeveralWins) {
     cuts.add(1, 0, 1, true);
     cuts.add(2, 0, 1, true);
     scene.pieces = make_pieces(scene.lines.set, flat_camera(), cuts.intervals);
-    EXPECT_EQ(meet_junctions(scene.lines.set, picture, scene.pieces), 1U);
+    EXPECT_EQ(meet_junctions(scene.lines.set, flat_camera(), scene.pieces), 1U);
     EXPECT_NEAR(scene.pieces.end(scene.pieces.list[0]).at.x, 99.2, 1e-4);
 }
 
@@ -130,7 +129,7 @@ TEST(Junctions, WorldPointsFollowThePerspective) {
     cuts.add(0, 0, end, true);
     cuts.add(1, 0, 1, true);
     Pieces pieces = make_pieces(lines.set, camera, cuts.intervals);
-    ASSERT_EQ(meet_junctions(lines.set, glm::dvec2{400, 300}, pieces), 1U);
+    ASSERT_EQ(meet_junctions(lines.set, camera, pieces), 1U);
     const VectorPoint met = pieces.end(pieces.list[0]);
     EXPECT_NEAR(met.at.x, x, 1e-6);
     // The point in the world projects to the end and lies on the line.
@@ -157,16 +156,34 @@ struct Corner {
 
 TEST(Junctions, AnEndMeetsAVertexOfAnotherLine) {
     Corner shown{false};
-    EXPECT_EQ(meet_junctions(shown.lines.set, picture, shown.pieces), 1U);
+    EXPECT_EQ(meet_junctions(shown.lines.set, flat_camera(), shown.pieces), 1U);
     EXPECT_EQ(shown.pieces.list[0].end.t, 1);
     EXPECT_EQ(shown.pieces.list[0].end.kind, LA_END_PATH);
     EXPECT_EQ(shown.pieces.length(shown.pieces.list[1]), 0);
     Corner hidden{true};
-    EXPECT_EQ(meet_junctions(hidden.lines.set, picture, hidden.pieces), 1U);
+    EXPECT_EQ(meet_junctions(hidden.lines.set, flat_camera(), hidden.pieces), 1U);
     EXPECT_EQ(hidden.pieces.length(hidden.pieces.list[1]), 0);
     EXPECT_EQ(hidden.pieces.list[0].end.t, 1);
     Corner alone{false, false};
-    EXPECT_EQ(meet_junctions(alone.lines.set, picture, alone.pieces), 0U);
+    EXPECT_EQ(meet_junctions(alone.lines.set, flat_camera(), alone.pieces), 0U);
+}
+
+// As where a plate's rounded edge is seen end on.
+TEST(Junctions, AChordSeenEndOnMeetsNothing) {
+    Lines lines;
+    lines.add(LineKind::silhouette, {{20, 50, 0.5F}, {60, 50, 0.5F}, {60, 50, 0.6F}});
+    lines.set.contours.corners.resize(3);
+    for (std::uint32_t i = 0; i < 3; ++i) lines.set.contours.corners[i].vertex = i;
+    lines.set.contours.edges = {{0, 1}, {1, 2}, {2, 0}};
+    lines.set.contours.faces.assign(2, {0, 1, 2});
+    lines.set.contours.surfaces.of_triangle = {0, 0};
+    Cuts cuts{lines.set, flat_camera()};
+    cuts.add(0, 0, 1, true);
+    cuts.add(1, 0, 1, false);
+    for (Interval& interval : cuts.intervals) interval.flags |= LA_INTERVAL_EXACT;
+    Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
+    ASSERT_TRUE(pieces.exact);
+    EXPECT_EQ(meet_junctions(lines.set, flat_camera(), pieces), 0U);
 }
 
 TEST(Junctions, PiecesNeverTurnRound) {
@@ -182,7 +199,7 @@ TEST(Junctions, PiecesNeverTurnRound) {
     cuts.add(1, 0, 1, true);
     cuts.add(2, 0, 1, true);
     Pieces pieces = make_pieces(lines.set, flat_camera(), cuts.intervals);
-    meet_junctions(lines.set, picture, pieces);
+    meet_junctions(lines.set, flat_camera(), pieces);
     double t = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(pieces.list[i].start.t, t);
