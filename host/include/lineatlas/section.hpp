@@ -56,9 +56,9 @@ inline constexpr std::size_t most_sections = 6;
 /// objects of the mesh's groups if they have names, and triangles that are connected by edges. If a
 /// part's cut does not close, the part stays open, and a note says so. Parts named by `uncut` stay
 /// whole, as bolts, shafts and ribs do by ISO 128-50; `*` and `?` stand for any letters, and the
-/// parts inside a part count too. Throws UsageError for a plane that misses the model, for a plane
-/// without a normal, for more than `most_sections` planes, for a name that no part has, and for too
-/// many hatching lines.
+/// parts inside a part count too. Throws UsageError for a plane that misses the model or goes
+/// through uncut parts alone, for a plane without a normal, for more than `most_sections` planes,
+/// for an empty name and one that no part has, and for too many hatching lines.
 LINEATLAS_API Section cut_mesh(const Mesh& mesh, std::span<const SectionPlane> planes,
                                const Hatching& hatching = {},
                                std::span<const std::string> uncut = {});
