@@ -53,7 +53,7 @@ class PerfDevice final : public Device {
 
     void launch(const Launch& launch) override {
         device_->finish(); // what was submitted before is not counted
-        const std::vector<std::uint64_t> before = events_.read();
+        const std::vector<PerfReading> before = events_.read();
         const std::uint64_t cpu_time = cpu_nanoseconds();
         const std::int64_t start = host_nanoseconds();
         device_->launch(launch);
@@ -72,14 +72,14 @@ class PerfDevice final : public Device {
     bool is_cpu() const { return opencl_ == nullptr || opencl_->device().is_cpu; }
 
     /// Sets what was counted since `before` and `cpu_time` were read.
-    void set_events(PerfCounts& own, const std::vector<std::uint64_t>& before,
+    void set_events(PerfCounts& own, std::span<const PerfReading> before,
                     std::uint64_t cpu_time) const {
         own.cpu_time = cpu_nanoseconds() - cpu_time;
-        const std::vector<std::uint64_t> after = events_.read();
-        if (after.empty()) return;
-        own.cycles = after[0] - before[0];
-        own.instructions = after[1] - before[1];
-        own.cache_misses = after[2] - before[2];
+        if (before.empty()) return;
+        const std::vector<std::uint64_t> events = events_.since(before);
+        own.cycles = events[0];
+        own.instructions = events[1];
+        own.cache_misses = events[2];
     }
 
     std::unique_ptr<Device> device_;

@@ -1,9 +1,10 @@
 #include "perf_events.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
+#include <system_error>
 
 #include <linux/perf_event.h>
 #include <sys/syscall.h>
@@ -16,11 +17,14 @@ constexpr PerfEvent of_cpu[] = {{PERF_TYPE_HARDWARE, PERF_COUNT_HW_CPU_CYCLES},
                                 {PERF_TYPE_HARDWARE, PERF_COUNT_HW_INSTRUCTIONS},
                                 {PERF_TYPE_HARDWARE, PERF_COUNT_HW_CACHE_MISSES}};
 
-/// The numbers of this process's threads.
-std::vector<std::uint32_t> threads() {
+/// The numbers of this process's threads, listed in `folder`; none if the system does not show
+/// them.
+std::vector<std::uint32_t> threads_in(const std::filesystem::path& folder) {
     std::vector<std::uint32_t> all;
-    for (const auto& entry : std::filesystem::directory_iterator{"/proc/self/task"}) {
-        const std::string name = entry.path().filename().string();
+    std::error_code error;
+    std::filesystem::directory_iterator entry{folder, error};
+    for (; !error && entry != std::filesystem::directory_iterator{}; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
         std::uint32_t number = 0;
         std::from_chars(name.data(), name.data() + name.size(), number);
         all.push_back(number);
@@ -45,8 +49,30 @@ std::span<const PerfEvent> cpu_events() {
     return of_cpu;
 }
 
-PerfEvents::PerfEvents(std::span<const PerfEvent> events) : kinds_(events.size()) {
-    for (const std::uint32_t thread : threads())
+std::vector<std::uint64_t> events_between(std::span<const PerfReading> before,
+                                          std::span<const PerfReading> after, std::size_t kinds) {
+    std::vector<std::uint64_t> sums(kinds);
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+        // The counts themselves never fall. A count that was scaled up may, since its scale does.
+        if (after[i].count < before[i].count) continue; // the second reading failed
+        const std::uint64_t count = after[i].count - before[i].count;
+        const std::uint64_t enabled = after[i].enabled - before[i].enabled;
+        const std::uint64_t running = after[i].running - before[i].running;
+        const bool is_whole = running == enabled || running == 0;
+        sums[i % kinds] += is_whole ? count
+                                    : static_cast<std::uint64_t>(static_cast<double>(count) *
+                                                                 static_cast<double>(enabled) /
+                                                                 static_cast<double>(running));
+    }
+    return sums;
+}
+
+PerfEvents::PerfEvents(std::span<const PerfEvent> events, const std::filesystem::path& threads)
+    : kinds_(events.size()) {
+    const std::vector<std::uint32_t> all = threads_in(threads);
+    if (all.empty())
+        refusal_ = "the system does not list the threads of the process in " + threads.string();
+    for (const std::uint32_t thread : all)
         for (const PerfEvent& event : events)
             if (refusal_.empty()) open(thread, event);
     if (!refusal_.empty()) close();
@@ -82,21 +108,17 @@ void PerfEvents::close() {
     files_.clear();
 }
 
-std::vector<std::uint64_t> PerfEvents::read() const {
-    if (files_.empty()) return {};
-    std::vector<std::uint64_t> sums(kinds_);
+std::vector<PerfReading> PerfEvents::read() const {
+    std::vector<PerfReading> all(files_.size());
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        struct {
-            std::uint64_t count, enabled, running;
-        } own{};
-        if (files_[i] < 0 || ::read(files_[i], &own, sizeof own) != sizeof own) continue;
-        const bool is_whole = own.running == own.enabled || own.running == 0;
-        sums[i % kinds_] += is_whole ? own.count
-                                     : static_cast<std::uint64_t>(static_cast<double>(own.count) *
-                                                                  static_cast<double>(own.enabled) /
-                                                                  static_cast<double>(own.running));
+        PerfReading own;
+        if (files_[i] >= 0 && ::read(files_[i], &own, sizeof own) == sizeof own) all[i] = own;
     }
-    return sums;
+    return all;
+}
+
+std::vector<std::uint64_t> PerfEvents::since(std::span<const PerfReading> before) const {
+    return events_between(before, read(), kinds_);
 }
 
 } // namespace lineatlas::compute
