@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "compute/kernels.hpp"
 #include "compute/opencl/programs.hpp"
 #include "compute/opencl/quirks.hpp"
+#include "compute/opencl/shared_context.hpp"
+#include "compute/opencl/tuning.hpp"
 #include "program_cache_damage.hpp"
 #include "temporary_folder.hpp"
 
@@ -105,6 +108,20 @@ TEST_P(ProgramsOnDevice, KeysTellApartWhatChangesThem) {
     EXPECT_TRUE(differs([](auto&, ProgramRecipe& changed) { changed.source += ' '; }));
     EXPECT_TRUE(differs([](auto&, ProgramRecipe& changed) { changed.options += ' '; }));
     EXPECT_FALSE(differs([](auto&, auto&) {}));
+}
+
+/// A driver may claim an option by which it shows registers, and refuse it.
+TEST_P(ProgramsOnDevice, TellNoRegistersIfTheDriverRefuses) {
+    if (device_.has_extension("cl_nv_compiler_options")) GTEST_SKIP() << "it does show them";
+    OpenClDevice claiming = device_;
+    claiming.extensions += " cl_nv_compiler_options";
+    compute::Programs programs{claiming, compute::shared_context(claiming),
+                               compute::compiler_options(compute::tuning_for(claiming)),
+                               std::nullopt};
+    const KernelResources& told =
+        programs.resources(compute::kernel_of<compute::kernels::pyramid>());
+    EXPECT_EQ(told.registers, 0U);
+    EXPECT_GT(told.largest_group, 0U);
 }
 
 std::vector<std::size_t> device_numbers() {

@@ -189,9 +189,11 @@ std::uint32_t Programs::registers(const Kernel& kernel, const cl::Program& progr
         if (const std::string option = register_option(device_); !option.empty()) {
             const auto [log, is_new] = logs_.try_emplace(own_key(kernel));
             if (is_new) {
+                // Not build_program(), whose failure ends a frame and is kept for the user.
                 const ProgramRecipe recipe = recipe_of(kernel, options_ + ' ' + option);
-                log->second = build_program(device_, context_->context(), recipe)
-                                  .getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device);
+                cl::Program talking{context_->context(), recipe.source};
+                talking.build({device_.device}, recipe.options.c_str());
+                log->second = talking.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_.device);
             }
             return registers_in_log(log->second, kernel.name);
         }
