@@ -166,6 +166,12 @@ TEST_F(Drivers, OfOneNameAreNumbered) {
                    "there is \"opencl:Fake:Card #1\" \"opencl:Fake:Card #2\"");
 }
 
+TEST_F(Drivers, WholeNamesChooseADeviceAlone) {
+    use_fake("family");
+    expect_refused(draw("--device opencl::card"), 1, "opencl: Card Plus (Fake): ");
+    expect_refused(draw("--device opencl:Fake:Card"), 1, "opencl: Card (Fake): ");
+}
+
 TEST_F(Drivers, ThatRefuseOrAreMissingAreNamed) {
     const std::string fake = path("vendors/a_fake.icd");
     use_fake("refuse");

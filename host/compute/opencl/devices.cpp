@@ -146,6 +146,8 @@ std::vector<OpenClDevice> find_opencl_devices(std::string_view name) {
 
     const std::vector<OpenClDevice> all = list_opencl_devices();
     if (all.empty()) throw DeviceError(no_device_message());
+    const auto named = std::ranges::find(all, wanted, &OpenClDevice::name);
+    if (named != all.end()) return {*named}; // another name may begin with it
     std::vector<OpenClDevice> found;
     for (const OpenClDevice& candidate : all) {
         if (contains_ignoring_case(candidate.platform_name, platform) &&

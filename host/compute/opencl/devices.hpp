@@ -37,8 +37,8 @@ bool contains_ignoring_case(std::string_view text, std::string_view part);
 std::vector<OpenClDevice> list_opencl_devices();
 
 /// The devices that `name` selects: "opencl:<platform substring>[:<device substring>]", letters of
-/// either case. Throws UsageError if the form is wrong, or DeviceError, listing the known devices,
-/// if there is none.
+/// either case. The whole name of a device selects it alone. Throws UsageError if the form is
+/// wrong, or DeviceError, listing the known devices, if there is none.
 std::vector<OpenClDevice> find_opencl_devices(std::string_view name);
 
 /// From the call on, drivers list their devices in a copy of this process before they are loaded,

@@ -2,6 +2,7 @@
 //   abort    ends the process that asks for its devices
 //   refuse   has no platform
 //   twins    has two platforms of one name, with a device of one name each
+//   family   has two platforms of one name, with a Card Plus and a Card
 //   silent   as one of the twins; its compiler refuses all programs and does not say why
 
 #include <array>
@@ -66,7 +67,7 @@ cl_int answer_value(const Value& number, size_t size, void* value, size_t* size_
 
 cl_int CL_API_CALL platform_ids(cl_uint entries, cl_platform_id* found, cl_uint* count) {
     if (wanted() == "refuse") return CL_PLATFORM_NOT_FOUND_KHR;
-    const cl_uint all = wanted() == "twins" ? 2 : 1;
+    const cl_uint all = wanted() == "twins" || wanted() == "family" ? 2 : 1;
     if (count != nullptr) *count = all;
     for (cl_uint i = 0; found != nullptr && i < all && i < entries; ++i) found[i] = &platforms[i];
     return CL_SUCCESS;
@@ -114,7 +115,8 @@ cl_int CL_API_CALL device_info(cl_device_id device, cl_device_info name, size_t 
     case CL_DEVICE_SINGLE_FP_CONFIG:
         return answer_value(cl_device_fp_config{0}, size, value, size_needed);
     case CL_DEVICE_NAME:
-        return answer("Card", size, value, size_needed);
+        return answer(wanted() == "family" && device == devices.data() ? "Card Plus" : "Card", size,
+                      value, size_needed);
     case CL_DEVICE_VERSION:
         return answer("OpenCL 1.2 Fake", size, value, size_needed);
     default:
