@@ -188,8 +188,12 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
     }
     KernelReport report;
     if (arguments.kernels.given()) {
-        report = KernelOptions::measure(profiles, renderer,
-                                        [&] { measuring->draw(camera, drawing.options); });
+        const auto draw = [&](const StageForms& forms) {
+            FrameOptions options = drawing.options;
+            options.forms = forms;
+            measuring->draw(camera, options);
+        };
+        report = KernelOptions::measure(profiles, drawing.options.forms, renderer, draw);
     }
     arguments.profile.write(profiles, description, report.kernels);
     arguments.kernels.write(report);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <CLI/App.hpp>
@@ -11,6 +12,7 @@
 #include "compute/opencl/devices.hpp"
 #include "io/atomic_file.hpp"
 #include "io/standard_streams.hpp"
+#include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
 
 namespace lineatlas::apps {
@@ -90,30 +92,74 @@ std::string device_of(const Renderer& renderer) {
     return {};
 }
 
+/// How the renderer shares buffers with GL, if every device can share so; else empty.
+std::string interop_of(const Renderer& renderer) {
+    constexpr std::string_view mode = "host-pointer";
+    return renderer.description().ends_with(mode) ? std::string{mode} : "";
+}
+
+/// Where the stages of a frame ran. Another device may choose other forms if it has the choice.
+StageForms forms_of(const FrameProfile& frame, StageForms forms) {
+    std::set<std::string_view> kernels, passes; // stages
+    for (const ProfileEvent& event : frame.events) {
+        const auto kernel =
+            std::ranges::find(compute::all_kernels(), event.name, &compute::Kernel::name);
+        if (event.track == ProfileTrack::gl) passes.insert(event.name);
+        if (event.items > 0 && kernel != compute::all_kernels().end())
+            kernels.insert(kernel->stage);
+    }
+    const auto settle = [&](StageForm& form, std::string_view stage) {
+        if (form != StageForm::automatic) return;
+        if (passes.contains(stage)) form = StageForm::raster;
+        if (kernels.contains(stage)) form = StageForm::compute;
+    };
+    settle(forms.atlas, "atlas");
+    settle(forms.depth, "depth");
+    settle(forms.strokes, "strokes");
+    return forms;
+}
+
+/// The kernels that were not counted, for people; empty if all were.
+std::string uncounted(std::span<const KernelTime> kernels, std::span<const LaunchCounts> counts) {
+    std::set<std::string_view> names;
+    for (const KernelTime& kernel : kernels)
+        if (std::ranges::find(counts, kernel.name, &LaunchCounts::kernel) == counts.end())
+            names.insert(kernel.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 } // namespace
 
-KernelReport KernelOptions::measure(std::span<const FrameProfile> frames, Renderer& renderer,
-                                    const std::function<void()>& draw) {
+KernelReport KernelOptions::measure(std::span<const FrameProfile> frames, const StageForms& forms,
+                                    Renderer& renderer,
+                                    const std::function<void(const StageForms&)>& draw) {
     KernelReport report;
     if (!frames.empty()) report.roofs.copy = frames.back().copy_gigabytes_per_second;
+    const StageForms settled = frames.empty() ? forms : forms_of(frames.back(), forms);
+    const std::string device = device_of(renderer);
     std::vector<PerfCounts> perf;
-    if (const std::string device = device_of(renderer); !device.empty()) {
+    if (!device.empty()) {
         report.roofs.arithmetic = measure_arithmetic(device);
         register_perf_device();
-        renderer.set_device({.compute = "perf", .device = device});
-        draw(); // makes tables grow; a frame whose tables were too small is drawn again
+        renderer.set_device({.compute = "perf", .device = device, .interop = interop_of(renderer)});
+        draw(settled); // makes tables grow; a frame whose tables were too small is drawn again
         take_perf_counts();
-        draw();
+        draw(settled);
         perf = take_perf_counts();
         const auto has_time = [](const PerfCounts& launch) { return launch.cpu_time.has_value(); };
-        if (std::ranges::any_of(perf, has_time)) report.note = why_no_perf_events();
+        const bool is_cpu = std::ranges::any_of(perf, has_time);
+        if (const std::string why = is_cpu ? why_no_perf_events() : ""; !why.empty())
+            report.notes.push_back("no instructions, cycles and cache misses: " + why);
     }
     register_counting_device();
-    renderer.set_device({.compute = "counting"});
-    draw(); // makes tables grow
+    renderer.set_device({.compute = "counting", .device = device});
+    draw(settled); // makes tables grow
     take_launch_counts();
-    draw();
-    report.kernels = kernel_times(frames, take_launch_counts(), report.roofs, perf);
+    draw(settled);
+    const std::vector<LaunchCounts> counts = take_launch_counts();
+    report.kernels = kernel_times(frames, counts, report.roofs, perf);
+    if (const std::string names = uncounted(report.kernels, counts); !names.empty())
+        report.notes.push_back("not counted, so their limit is unknown: " + names);
     return report;
 }
 
@@ -122,9 +168,9 @@ void KernelOptions::write(const KernelReport& report) const {
         if (extension == ".svg") return roofline_svg(report.kernels, report.roofs);
         if (extension == ".csv") return kernel_csv(report.kernels, report.roofs);
         if (extension == ".json") return kernel_json(report.kernels, report.roofs);
-        const std::string table = kernel_table(report.kernels, report.roofs);
-        if (report.note.empty()) return table;
-        return table + fmt::format("no instructions, cycles and cache misses: {}\n", report.note);
+        std::string table = kernel_table(report.kernels, report.roofs);
+        for (const std::string& note : report.notes) table += note + '\n';
+        return table;
     });
 }
 

@@ -51,7 +51,7 @@ class ProfileOptions : public ReportOption {
 struct KernelReport {
     std::vector<KernelTime> kernels{};
     Roofs roofs{};
-    std::string note{}; ///< why the CPU's events are missing; empty if they are not
+    std::vector<std::string> notes{}; ///< what is missing, and why, a line each
 };
 
 /// `--kernels`: where to write why each kernel takes its time.
@@ -59,10 +59,12 @@ class KernelOptions : public ReportOption {
   public:
     KernelOptions() : ReportOption("--kernels", {".json", ".csv", ".svg"}) {}
     void declare(CLI::App& app, const std::string& group);
-    /// Counts the work of kernels, and a CPU's events, while `draw` draws such a frame. The
-    /// renderer stays on the counting device.
-    static KernelReport measure(std::span<const FrameProfile> frames, Renderer& renderer,
-                                const std::function<void()>& draw);
+    /// Counts the work of kernels, and a CPU's events, while `draw` draws such a frame in the forms
+    /// that it gets: those of `frames`, where `forms` leaves them open. The renderer stays on the
+    /// counting device.
+    static KernelReport measure(std::span<const FrameProfile> frames, const StageForms& forms,
+                                Renderer& renderer,
+                                const std::function<void(const StageForms&)>& draw);
     void write(const KernelReport& report) const;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compute/kernel_bytes.hpp"
+#include "compute/perf/perf_device.hpp"
 #include "counted_float.hpp"
 #include "counted_memory.hpp"
 #include "cpp_device.hpp"
@@ -14,13 +15,23 @@
 namespace lineatlas::compute {
 namespace {
 
+/// The tuning with those values for which counting kernels are compiled.
+Tuning as_compiled(Tuning tuning) {
+    constexpr Tuning of_host{};
+    tuning.scan_tiles = false; // they have barriers
+    tuning.depth_lanes = counted_depth_lanes();
+    tuning.depth_tile = of_host.depth_tile;
+    tuning.halo_lanes = of_host.halo_lanes;
+    return tuning;
+}
+
 class CountingDevice final : public Device {
   public:
-    explicit CountingDevice(std::vector<LaunchCounts>& counts)
-        : device_(make_cpp_device()), counts_(counts) {}
+    CountingDevice(std::vector<LaunchCounts>& counts, const Tuning& tuning)
+        : device_(make_cpp_device()), tuning_(as_compiled(tuning)), counts_(counts) {}
 
     std::string description() const override { return "cpp, counting"; }
-    const Tuning& tuning() const override { return device_->tuning(); }
+    const Tuning& tuning() const override { return tuning_; }
 
     std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
         return device_->allocate(bytes);
@@ -50,7 +61,6 @@ class CountingDevice final : public Device {
         }
         const CountedMemory touched{memory};
         const std::uint64_t before = counted_operations;
-        // The tuning of cpp launches no kernel with barriers.
         find_form(counted_kernels(), launch.kernel.name, launch.kernel.defines)
             ->run(launch.parameters.data(), tables.data(), 0, launch.items, launch.items);
         counts_.push_back(
@@ -61,16 +71,18 @@ class CountingDevice final : public Device {
     void finish() override {}
 
   private:
-    std::unique_ptr<Device> device_;
+    std::unique_ptr<Device> device_; ///< has the memory
+    const Tuning tuning_;
     std::vector<LaunchCounts>& counts_;
 };
 
 } // namespace
 
-std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts) {
+std::unique_ptr<Device> make_counting_device(std::vector<LaunchCounts>& counts,
+                                             const Tuning& tuning) {
     if (counted_kernels().empty())
         throw UsageError("kernels do not count in a build with sanitizers; use another build");
-    return std::make_unique<CountingDevice>(counts);
+    return std::make_unique<CountingDevice>(counts, tuning);
 }
 
 } // namespace lineatlas::compute
@@ -83,14 +95,17 @@ std::vector<LaunchCounts>& all_counts() {
     return counts;
 }
 
+std::unique_ptr<compute::Device> make_counting(std::string_view device) {
+    return compute::make_counting_device(all_counts(),
+                                         compute::make_measured_device(device)->tuning());
+}
+
 } // namespace
 
 void register_counting_device() {
     const auto& kinds = compute::device_kinds();
     if (std::ranges::find(kinds, "counting", &compute::DeviceKind::name) != kinds.end()) return;
-    compute::register_device({"counting", "kernels as C++ that count", [](std::string_view) {
-                                  return compute::make_counting_device(all_counts());
-                              }});
+    compute::register_device({"counting", "kernels as C++ that count", make_counting});
 }
 
 std::vector<LaunchCounts> take_launch_counts() {

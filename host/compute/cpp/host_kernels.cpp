@@ -24,8 +24,9 @@ std::uint64_t multiply_and_add(std::uint64_t rounds, float& result);
 #endif
 #ifdef LINEATLAS_COUNTED
 namespace counted {
+extern const std::uint32_t depth_lanes;
 std::span<const HostKernel> kernels();
-}
+} // namespace counted
 #endif
 
 namespace {
@@ -74,6 +75,14 @@ std::span<const HostKernel> counted_kernels() {
     return counted::kernels();
 #else
     return {};
+#endif
+}
+
+std::uint32_t counted_depth_lanes() {
+#ifdef LINEATLAS_COUNTED
+    return counted::depth_lanes;
+#else
+    return 0;
 #endif
 }
 

@@ -29,6 +29,8 @@ std::span<const HostKernel> host_kernels();
 
 /// All counting kernels, for counting_device.cpp. None in a build with sanitizers.
 std::span<const HostKernel> counted_kernels();
+/// DEPTH_LANES of counting kernels; 0 if there are none.
+std::uint32_t counted_depth_lanes();
 
 /// Multiplies and adds floats in registers, `rounds` times, as kernels do, without contraction.
 /// Returns the number of operations. Adds to `result`, so that the compiler cannot leave them out.

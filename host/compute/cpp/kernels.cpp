@@ -155,9 +155,7 @@ std::span<const HostKernel> kernels() {
     return forms;
 }
 
-#ifndef LINEATLAS_COUNTED
 extern const std::uint32_t depth_lanes = DEPTH_LANES;
-#endif
 
 #ifndef LINEATLAS_COUNTED
 std::uint64_t multiply_and_add(std::uint64_t rounds, float& result) {

@@ -38,7 +38,10 @@ struct LaunchCounts {
 };
 
 /// Registers the device kind "counting": kernels as C++ that count, many times slower than "cpp".
-/// Must be called before any thread uses the library; a second call does nothing.
+/// DeviceOptions::device names the device whose forms of kernels are counted: "cpp", also if empty,
+/// or "opencl:<platform>[:<device>]". Only kernels with barriers (Kernel::has_barriers) do not
+/// count: scans run in chunks. Must be called before any thread uses the library; a second call
+/// does nothing.
 LINEATLAS_API void register_counting_device();
 
 /// The launches of devices of the kind "counting" since the last call, in order. Must not be called
