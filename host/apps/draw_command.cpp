@@ -1,5 +1,6 @@
 #include "commands.hpp"
 
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -187,15 +188,21 @@ void draw_frames(const Drawing& drawing, FrameOutput& to, const Measuring* measu
             renderer);
     }
     KernelReport report;
+    std::exception_ptr failure;
     if (arguments.kernels.given()) {
         const auto draw = [&](const StageForms& forms) {
             FrameOptions options = drawing.options;
             options.forms = forms;
             measuring->draw(camera, options);
         };
-        report = KernelOptions::measure(profiles, drawing.options.forms, renderer, draw);
+        try {
+            report = KernelOptions::measure(profiles, drawing.options.forms, renderer, draw);
+        } catch (...) {
+            failure = std::current_exception(); // the profile does without
+        }
     }
     arguments.profile.write(profiles, description, report.kernels);
+    if (failure) std::rethrow_exception(failure);
     arguments.kernels.write(report);
 }
 

@@ -145,6 +145,14 @@ TEST_F(Tool, SaysWhatADriverTellsOfKernels) {
         EXPECT_NE(read(path("t.json")).find(key), std::string::npos) << key;
     }
 }
+#else
+TEST_F(Tool, WritesTheProfileWithoutKernels) {
+    const Result drawn = run("draw --scene clevis --size 200x150 -o " + path("c.png") +
+                             " --kernels - --profile " + path("p.csv"));
+    EXPECT_EQ(drawn.exit_code, 2) << drawn.output;
+    EXPECT_NE(drawn.output.find("kernels do not count"), std::string::npos) << drawn.output;
+    EXPECT_NE(read(path("p.csv")).find("project_clip"), std::string::npos);
+}
 #endif
 
 TEST_F(Tool, KernelsAreMeasuredOfOnePicture) {
