@@ -212,6 +212,13 @@ void ImageWriter::append(std::span<const std::byte> values) {
     write_image(whole.path, pixels, whole.settings);
 }
 
+void ImageWriter::abandon() {
+    growing_.reset();
+    if (!writing_) return;
+    writing_ = false;
+    end();
+}
+
 void ImageWriter::finish() {
     if (!writing_) return;
     writing_ = false;

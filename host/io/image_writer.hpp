@@ -39,6 +39,9 @@ class ImageWriter {
     void begin(const std::filesystem::path& path, const Pixels& pixels,
                const ImageSettings& settings = {});
     void append(std::span<const std::byte> values);
+    /// Gives up the picture that begin() began and of which values are missing: nothing of it is
+    /// written. The other process ends with it, and this one writes later pictures.
+    void abandon();
     /// Waits for the last picture. Throws FileError.
     void finish();
     /// Whether `path` holds a whole picture of this size. Throws FileError, about the picture

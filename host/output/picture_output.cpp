@@ -9,6 +9,7 @@
 #include "core/limits.hpp"
 #include "core/line_pens.hpp"
 #include "describe_camera.hpp"
+#include "lineatlas/progress.hpp"
 
 namespace lineatlas {
 namespace {
@@ -71,7 +72,9 @@ TileTarget PictureOutput::target(std::function<void(const PictureTile&)> end) {
     return {.framebuffer = canvas_.framebuffer(),
             .tile_size = frame_.tile_size,
             .begin = [this](const PictureTile&) { clear(); },
-            .end = std::move(end)};
+            .end = std::move(end),
+            .progress = frame_.goes_on ? [this](float done) { return done >= 1 || goes_on(); }
+                                       : Progress{}}; // at 1 the writer has the whole picture
 }
 
 FrameStats PictureOutput::draw(const Camera& camera, const FrameOptions& options) {
@@ -100,11 +103,16 @@ void PictureOutput::take(const PictureTile& tile) {
 FrameStats PictureOutput::draw_tiles(const Camera& camera, const std::filesystem::path& path,
                                      const ImageSettings& settings) {
     begun_ = false;
-    return renderer_.draw_tiles(camera, frame_.options, target([&](const PictureTile& tile) {
-                                    if (!begun_) writer_.begin(path, pixels({}), settings);
-                                    begun_ = true;
-                                    take(tile);
-                                }));
+    try {
+        return renderer_.draw_tiles(camera, frame_.options, target([&](const PictureTile& tile) {
+                                        if (!begun_) writer_.begin(path, pixels({}), settings);
+                                        begun_ = true;
+                                        take(tile);
+                                    }));
+    } catch (...) {
+        if (begun_) writer_.abandon();
+        throw;
+    }
 }
 
 std::optional<FrameStats> PictureOutput::draw_smaller(const Camera& camera,
@@ -140,7 +148,9 @@ FrameStats PictureOutput::draw_whole(const Camera& camera, const std::filesystem
                                      const ImageSettings& settings) {
     try {
         FrameStats stats = draw(camera, frame_.options);
-        writer_.write(path, pixels(canvas_.read()), settings);
+        const std::vector<std::uint8_t> values = canvas_.read();
+        if (!goes_on()) throw Cancelled("drawing a picture was cancelled");
+        writer_.write(path, pixels(values), settings);
         return stats;
     } catch (const OutOfMemory& error) {
         if (std::optional<FrameStats> stats = draw_smaller(camera, path, settings, error.what()))

@@ -25,6 +25,9 @@ struct PictureFrame {
     /// Called with notes: why a picture is drawn by tiles although no limit of the device demands
     /// it, and that a style's pens for outlines have no effect.
     std::function<void(const std::string&)> note{};
+    /// Asked before each tile, and before a picture in one piece is written. After false draw()
+    /// throws Cancelled, and nothing is written.
+    std::function<bool()> goes_on{};
 };
 
 /// Frames as pictures of pixels.
@@ -57,6 +60,7 @@ class PictureOutput final : public FrameOutput {
     /// last one of a row the band is written to the file.
     void take(const PictureTile& tile);
     Pixels pixels(std::span<const std::uint8_t> values) const;
+    bool goes_on() const { return !frame_.goes_on || frame_.goes_on(); }
     TileTarget target(std::function<void(const PictureTile&)> end);
 
     PictureFrame frame_;

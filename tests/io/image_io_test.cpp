@@ -128,6 +128,22 @@ TEST_F(ImageIo, AWriterIsLikeWriteImage) {
     }
 }
 
+TEST_F(ImageIo, NothingIsWrittenOfAPictureThatIsGivenUp) {
+    const fs::path first = folder_ / "given_up.png", second = folder_ / "next.png";
+    ImageWriter writer;
+    const std::vector<std::byte> row(40), all(400);
+    const Pixels empty{.size = {40, 10}, .channels = 1};
+    Pixels whole = empty;
+    whole.values = all;
+    writer.begin(first, empty);
+    writer.append(row);
+    writer.abandon();
+    writer.write(second, whole);
+    writer.finish();
+    EXPECT_FALSE(fs::exists(first));
+    EXPECT_TRUE(writer.is_whole(second, {40, 10}));
+}
+
 TEST_F(ImageIo, APictureCutShortIsNotWhole) {
     ImageWriter writer;
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.exr", "a.bmp"}) {
