@@ -1,5 +1,6 @@
 #include "child_process.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -44,12 +45,14 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
     return child;
 }
 
-/// Reads until the other end is closed. Returns false if the time is over.
-bool read_until(int input, Clock::time_point end, std::string& output) {
+/// Reads until the other end is closed. Returns false if the time is over or `goes_on` says so.
+bool read_until(int input, Clock::time_point end, const std::function<bool()>& goes_on,
+                std::string& output) {
     std::array<char, 4096> part{};
     for (;;) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
-        if (left.count() <= 0) return false;
+        auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+        if (left.count() <= 0 || (goes_on && !goes_on())) return false;
+        if (goes_on) left = std::min(left, std::chrono::milliseconds{100});
         pollfd waiting{.fd = input, .events = POLLIN, .revents = 0};
         if (::poll(&waiting, 1, static_cast<int>(left.count())) <= 0) continue;
         const ssize_t count = ::read(input, part.data(), part.size());
@@ -73,7 +76,7 @@ bool wait_until(pid_t child, Clock::time_point end, int& status) {
 
 ChildResult run_child(const std::filesystem::path& program,
                       const std::vector<std::string>& arguments, std::chrono::seconds limit,
-                      Captured captured) {
+                      Captured captured, const std::function<bool()>& goes_on) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
         throw Error(std::string{"cannot make a pipe: "} + std::strerror(errno));
@@ -82,15 +85,18 @@ ChildResult run_child(const std::filesystem::path& program,
     ::close(pipe[1]);
     ChildResult result;
     int status = 0;
-    result.timed_out = !read_until(pipe[0], begin + limit, result.output) ||
-                       !wait_until(child, begin + limit, status);
-    if (result.timed_out) {
+    const Clock::time_point end = begin + limit;
+    const bool ended =
+        read_until(pipe[0], end, goes_on, result.output) && wait_until(child, end, status);
+    result.timed_out = !ended && Clock::now() >= end;
+    result.stopped = !ended && !result.timed_out;
+    if (!ended) {
         ::kill(-child, SIGKILL);
         ::waitpid(child, &status, 0);
     }
     ::close(pipe[0]);
     if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
-    if (WIFSIGNALED(status) && !result.timed_out) result.signal = WTERMSIG(status);
+    if (WIFSIGNALED(status) && ended) result.signal = WTERMSIG(status);
     result.took = Clock::now() - begin;
     return result;
 }
