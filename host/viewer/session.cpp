@@ -73,6 +73,7 @@ Session::~Session() {
         preview_ = {};
         preview_before_ = {};
         sketch_.reset();
+        in_renderer_.reset();
         renderer_.reset();
     });
 }
@@ -123,42 +124,47 @@ void Session::open(const std::vector<std::filesystem::path>& files) {
 void Session::open_models(const std::vector<std::filesystem::path>& files) {
     ModelSource source{
         .files = {}, .scene = {}, .up = up, .lines = line_options, .read = read_limits};
-    const bool added = adds && model_ != nullptr && !model_->source.files.empty();
-    if (added) source = model_->source;
+    const Model* before = coming_ ? coming_->model.get() : model_.get();
+    const bool added = adds && before != nullptr && !before->source.files.empty();
+    if (added) source = before->source;
     source.files.insert(source.files.end(), files.begin(), files.end());
     if (source.files.size() > most_models)
         return messages.error(fmt::format("A scene has {} files at most; open fewer", most_models));
     forget_awaited();
     if (added) await_the_same();
     // The file that was alone becomes a part with its name.
-    if (added && model_->source.files.size() == 1)
-        for (std::string& pattern : awaited_->hidden)
-            pattern = literal_pattern(model_->source.name()) + "/" + pattern;
+    if (added && before->source.files.size() == 1)
+        for (std::string& pattern : awaited_.words->hidden)
+            pattern = literal_pattern(before->source.name()) + "/" + pattern;
     loader.start(std::move(source));
 }
 
 /// Forgets the choices that wait for the next model, which then stands alone.
 void Session::forget_awaited() {
-    keeps_view_ = false;
-    awaited_.reset();
-    awaited_session_.reset();
+    awaited_ = {};
 }
 
 void Session::reload() {
-    if (model_ == nullptr) return;
+    if (model_ == nullptr || is_other_file_coming()) return;
     forget_awaited();
     await_the_same();
     loader.start(model_->source);
 }
 
-/// Makes the next model show the same parts and cuts as the current one.
+/// Makes the next model show the same parts and cuts as the one before it.
 void Session::await_the_same() {
-    keeps_view_ = true;
-    awaited_ = in_words();
+    awaited_ = {.words = is_other_file_coming() ? coming_->awaited.words.value_or(ShownInWords{})
+                                                : in_words(),
+                .keeps_view = true};
+}
+
+/// Whether a task takes a model that was read, and not the current one with other parts or cuts.
+bool Session::is_other_file_coming() const {
+    return coming_ && (model_ == nullptr || coming_->model->whole != model_->whole);
 }
 
 void Session::look_at_file() {
-    if (model_ == nullptr || model_->source.files.empty() || loader.busy()) return;
+    if (model_ == nullptr || model_->source.files.empty() || loader.busy() || coming_) return;
     const WriteTimes times = write_times_of(model_->source.files);
     if (times.empty()) return; // the files may come back
     const bool at_rest = std::exchange(looked_times_, times) == times;
@@ -248,13 +254,22 @@ bool Session::use_device(const DeviceOptions& device) {
     });
 }
 
+/// Gives the renderer the lines of a model, unless it has them. What draws a model calls this
+/// first: the renderer may have those of another one. On the drawing thread.
+void Session::give_lines(const std::shared_ptr<const Model>& model) {
+    if (in_renderer_ == model) return;
+    in_renderer_.reset();
+    renderer_->set_lines(model->lines);
+    in_renderer_ = model;
+}
+
 void Session::show(std::shared_ptr<Model> model) {
     const bool is_other = model_ != nullptr && model_->whole != model->whole;
     const bool renews = is_other && is_much_smaller(model->lines, model_.get());
     const bool is_new = model_ == nullptr || is_other;
     const auto work = [this, model, is_new, renews, device = device_,
                        options = frame_options(settings, 0)] {
-        renderer_->set_lines(model->lines);
+        give_lines(model);
         if (renews) {
             renderer_->set_device(device);
             sketch_.reset();
@@ -266,16 +281,17 @@ void Session::show(std::shared_ptr<Model> model) {
         };
         if (is_new) renderer_->prepare(options, progress);
     };
-    const auto then = [this, model](bool worked) {
-        if (worked) return take_shown(model);
-        forget_awaited();
+    coming_ = {model, std::exchange(awaited_, {})};
+    const auto then = [this](bool worked) {
+        const Coming coming = *std::exchange(coming_, std::nullopt);
+        if (worked) return take_shown(coming.model, coming.awaited);
         if (model_ != nullptr) settings.shown = model_->shown;
     };
     add_task({.what = is_new ? "Getting ready to draw" : "", .work = work, .then = then});
 }
 
 /// Shows a model whose lines the renderer has.
-void Session::take_shown(const std::shared_ptr<Model>& model) {
+void Session::take_shown(const std::shared_ptr<Model>& model, const Awaited& awaited) {
     const std::shared_ptr<Model> before = std::exchange(model_, model);
     sketched_.reset();
     const bool new_parts = before == nullptr || before->whole != model_->whole;
@@ -287,24 +303,23 @@ void Session::take_shown(const std::shared_ptr<Model>& model) {
         settings.shown = model_->shown;
         whole_bounds_ = bounds_of(*model_->whole);
         steps_.clear();
-        if (!keeps_view_) {
+        if (!awaited.keeps_view) {
             settings.bookmarks.clear();
             settings.distances.clear();
             measured_from_.reset();
             session_path_.clear();
         }
-        if (awaited_) take_words(*std::exchange(awaited_, std::nullopt));
+        if (awaited.words) take_words(*awaited.words);
     }
     std::optional<View> first = take_first_camera();
-    if (awaited_session_) {
-        const AwaitedSession awaited = *std::exchange(awaited_session_, std::nullopt);
-        take_session(awaited.session);
-        session_path_ = awaited.path;
-        recent.add(awaited.path);
-        if (!awaited.session.views.empty())
-            first = view_of(awaited.session.views.front(), origin());
+    if (awaited.session) {
+        const SessionFile& session = awaited.session->session;
+        take_session(session);
+        session_path_ = awaited.session->path;
+        recent.add(awaited.session->path);
+        if (!session.views.empty()) first = view_of(session.views.front(), origin());
     }
-    if (!first && !keeps_view_) {
+    if (!first && !awaited.keeps_view) {
         const glm::vec3 up_axis = *model_->source.up;
         first = model_->view ? *model_->view
                              : frame_points(model_->framed, glm::max(size_, 1), up_axis);

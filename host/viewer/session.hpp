@@ -259,8 +259,20 @@ class Session {
     using SaveFile = std::function<std::filesystem::path(const std::function<void()>& go_on)>;
     void add_saving(SaveFile save);
     void make_video_of(const std::filesystem::path& folder);
+    /// Choices for a model that is being read.
+    struct AwaitedSession {
+        std::filesystem::path path;
+        SessionFile session;
+    };
+    struct Awaited {
+        std::optional<ShownInWords> words{};
+        std::optional<AwaitedSession> session{};
+        bool keeps_view = false;
+    };
     void show(std::shared_ptr<Model> model);
-    void take_shown(const std::shared_ptr<Model>& model);
+    void take_shown(const std::shared_ptr<Model>& model, const Awaited& awaited);
+    void give_lines(const std::shared_ptr<const Model>& model);
+    bool is_other_file_coming() const;
     void show_wanted();
     void restart_stale_job(double seconds);
     void forget_awaited();
@@ -312,18 +324,20 @@ class Session {
     DrawingThread drawing_;
     // The thread's own, as what they made is:
     std::unique_ptr<Renderer> renderer_;
+    std::shared_ptr<const Model> in_renderer_; ///< whose lines `renderer_` has; null: not known
     /// Draws only long lines, for movements. Made when a large model needs it.
     std::unique_ptr<Renderer> sketch_;
     std::optional<View> sketched_; ///< the view by which long lines were chosen; nothing: not
                                    ///< chosen for this model
     std::shared_ptr<Model> model_;
     Bounds whole_bounds_;
-    std::optional<ShownInWords> awaited_; ///< choices for the model that is being read
-    struct AwaitedSession {
-        std::filesystem::path path;
-        SessionFile session;
+    Awaited awaited_; ///< for the model that the loader reads
+    /// A model that the loader has read and that a task takes.
+    struct Coming {
+        std::shared_ptr<Model> model;
+        Awaited awaited;
     };
-    std::optional<AwaitedSession> awaited_session_; ///< likewise
+    std::optional<Coming> coming_;
     std::filesystem::path session_path_;
     glm::ivec2 size_{0, 0};
     Picture shown_;
@@ -342,7 +356,6 @@ class Session {
     KernelFolder kernels_;
     std::optional<View> drawn_view_;
     bool stale_ = true, step_due_ = true;
-    bool keeps_view_ = false; ///< for the model that is being loaded
     History<Settings, same> steps_;
     History<View, same> views_;
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
@@ -358,8 +371,7 @@ class Session {
     };
     static bool shows_same(const Previewed& a, const Previewed& b);
     ExportedDrawing exported() const;
-    static Preview make_preview(const Previewed& wanted, const ExportedDrawing& drawing,
-                                Renderer& renderer);
+    Preview make_preview(const Previewed& wanted, const ExportedDrawing& drawing);
     std::optional<Previewed> preview_wanted_, preview_begun_, preview_drawn_;
     Preview preview_, preview_before_; ///< the thread frees the latter
     std::uint64_t revision_ = 0;       ///< of settings and model

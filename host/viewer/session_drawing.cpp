@@ -105,6 +105,7 @@ void Session::draw() {
 void Session::draw_picture(Picture& picture) {
     const auto start = std::chrono::steady_clock::now();
     try {
+        give_lines(picture.model);
         picture.camera = make_camera(picture.view, in_pixels_of(picture.economy, picture.window),
                                      picture.model->lines.bounds);
         if (picture.renews_sketch) renew_sketch(picture);

@@ -24,6 +24,7 @@ void Session::save_picture(const std::filesystem::path& folder, const std::strin
     add_saving([this, folder, extension, drawing = exported()](const auto& go_on) {
         const std::filesystem::path path =
             free_path(folder, drawing.model->source.stem(), extension);
+        give_lines(drawing.model);
         save({.model = *drawing.model,
               .view = drawing.view,
               .size = drawing.window,
@@ -38,6 +39,7 @@ void Session::export_to(const std::filesystem::path& path, const ExportOptions& 
     if (model_ == nullptr) return;
     add_saving([this, path, options, drawing = exported()](const auto& go_on) mutable {
         drawing.go_on = go_on;
+        give_lines(drawing.model);
         save(options, drawing, path, *renderer_, writer_);
         return path;
     });
@@ -68,7 +70,7 @@ void Session::draw_preview() {
     const auto drawn = std::make_shared<Preview>();
     const auto work = [this, drawn, wanted = *preview_wanted_, drawing = exported()] {
         preview_before_ = {}; // on the thread that has made it
-        *drawn = make_preview(wanted, drawing, *renderer_);
+        *drawn = make_preview(wanted, drawing);
         glFinish(); // after it the window's context sees the pictures
     };
     const auto then = [this, drawn, wanted = *preview_wanted_](bool) {
@@ -80,10 +82,10 @@ void Session::draw_preview() {
 }
 
 /// On the drawing thread.
-Session::Preview Session::make_preview(const Previewed& wanted, const ExportedDrawing& drawing,
-                                       Renderer& renderer) {
+Session::Preview Session::make_preview(const Previewed& wanted, const ExportedDrawing& drawing) {
     Preview preview;
     try {
+        give_lines(drawing.model);
         preview.page = lay_out(wanted.options, drawing);
         const glm::dvec2 size = preview.page.size;
         const double scale = wanted.pixels / std::max(size.x, size.y);
@@ -105,7 +107,7 @@ Session::Preview Session::make_preview(const Previewed& wanted, const ExportedDr
             canvas->clear({options.style.paper.color, 1});
             for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
                 glTextureParameteri(canvas->texture(), filter, GL_LINEAR);
-            renderer.draw(camera, options, canvas->framebuffer());
+            renderer_->draw(camera, options, canvas->framebuffer());
             preview.pictures.push_back(std::move(canvas));
         }
     } catch (const std::exception& error) {

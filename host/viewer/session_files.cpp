@@ -54,8 +54,7 @@ void Session::open_session(const std::filesystem::path& file) {
         if (!session.views.empty()) source.up = session.views.front().up;
         if (source.files.empty() && !source.up) source.up = glm::vec3{0, 1, 0};
         forget_awaited();
-        awaited_ = std::move(words);
-        awaited_session_ = {file, std::move(session)};
+        awaited_ = {.words = std::move(words), .session = AwaitedSession{file, std::move(session)}};
         loader.start(std::move(source));
     });
 }

@@ -29,6 +29,7 @@ void Session::record_picture() {
     options.steady = false;
     const auto work = [this, model = model_, view = recording_->view(), size = size_, options,
                        path = recording_->path()] {
+        give_lines(model);
         save({.model = *model, .view = view, .size = size, .options = options}, path, *renderer_,
              writer_);
     };

@@ -177,7 +177,7 @@ void Session::restart_stale_job(double seconds) {
 /// Starts finding lines if the wanted parts and cuts differ from those shown.
 void Session::show_wanted() {
     if (model_ == nullptr || loader.busy() || settings.shown == model_->shown) return;
-    keeps_view_ = true;
+    awaited_ = {.keeps_view = true};
     loader.start(model_, settings.shown);
 }
 

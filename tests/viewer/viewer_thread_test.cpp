@@ -2,22 +2,24 @@
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "compute/cpp/cpp_device.hpp"
 #include "lineatlas/compute_device.hpp"
+#include "lineatlas/error.hpp"
 #include "viewer/drawing_thread.hpp"
 #include "viewer_support.hpp"
 
 namespace lineatlas::test {
 namespace {
 
-/// The device cpp, whose kernels wait while it is held.
+/// The device cpp, whose kernels wait while it is held, and fail while it is broken.
 class HeldDevice final : public compute::Device {
   public:
-    static std::atomic<bool> held;
+    static std::atomic<bool> held, broken;
 
     std::string description() const override { return "held"; }
     const compute::Tuning& tuning() const override { return device_->tuning(); }
@@ -44,6 +46,7 @@ class HeldDevice final : public compute::Device {
     }
     void launch(const compute::Launch& launch) override {
         while (held) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        if (broken) throw Error("the device is broken");
         device_->launch(launch);
     }
     void flush() override {}
@@ -52,7 +55,7 @@ class HeldDevice final : public compute::Device {
   private:
     std::unique_ptr<compute::Device> device_ = compute::make_cpp_device();
 };
-std::atomic<bool> HeldDevice::held{false};
+std::atomic<bool> HeldDevice::held{false}, HeldDevice::broken{false};
 
 std::unique_ptr<compute::Device> make_held_device(std::string_view) {
     return std::make_unique<HeldDevice>();
@@ -65,7 +68,7 @@ class HeldViewer : public testing::Test {
         hand_.open_scene("house");
         EXPECT_TRUE(session().messages.all().empty());
     }
-    ~HeldViewer() override { HeldDevice::held = false; }
+    ~HeldViewer() override { HeldDevice::held = HeldDevice::broken = false; }
     viewer::Session& session() { return app_.session(); }
     std::vector<std::uint8_t> picture() { return session().picture(0)->read(); }
     /// Steps until it is so.
@@ -206,6 +209,60 @@ TEST_F(HeldViewer, AnotherModelWaitsForThePictureAndTheWindowDoesNot) {
     HeldDevice::held = false;
     hand_.rest();
     EXPECT_EQ(session().model()->source.name(), "clevis");
+}
+
+TEST_F(HeldViewer, AFileIsOfTheModelInSightWhileAnotherIsTaken) {
+    session().save_picture(folder_.path(), "svg");
+    hand_.open_scene("clevis");
+    const auto clevis = picture();
+    hand_.open_scene("house");
+    HeldDevice::held = true;
+    session().open_scene("clevis");
+    step_until([&] { return session().drawing(); });
+    session().save_picture(folder_.path(), "svg");
+    HeldDevice::held = false;
+    hand_.rest();
+    EXPECT_EQ(session().model()->source.name(), "clevis");
+    EXPECT_EQ(text_of((folder_.path() / "house-2.svg").string()),
+              text_of((folder_.path() / "house.svg").string()));
+    EXPECT_EQ(picture(), clevis) << "its lines are not those of the file";
+}
+
+TEST_F(HeldViewer, AModelThatCannotBeTakenLeavesTheOneBefore) {
+    const auto house = picture();
+    HeldDevice::broken = true;
+    session().open_scene("clevis");
+    step_until([&] { return !session().messages.all().empty(); });
+    HeldDevice::broken = false;
+    EXPECT_EQ(session().model()->source.name(), "house");
+    session().changed();
+    hand_.rest();
+    EXPECT_EQ(picture(), house);
+    hand_.open_scene("clevis");
+    EXPECT_EQ(session().model()->source.name(), "clevis");
+}
+
+TEST_F(HeldViewer, ASessionKeepsItsSettingsWhileSomethingElseIsOpened) {
+    const std::filesystem::path boxes = folder_.path() / "boxes.obj",
+                                file = folder_.path() / "boxes.session.toml";
+    std::ofstream{boxes} << box("Nut", {-2, 0, 0}, 1) << box("Bolt", {2, 0, 0}, 9);
+    hand_.drop(boxes);
+    session().select(0);
+    session().hide_selected();
+    hand_.rest();
+    ASSERT_TRUE(session().save_session(file));
+    hand_.open_scene("house");
+    HeldDevice::held = true;
+    session().open(file);
+    step_until([&] { return session().drawing(); });
+    session().open_scene("clevis");
+    HeldDevice::held = false;
+    step_until([&] { return session().model()->source.name() == "boxes.obj"; });
+    EXPECT_EQ(session().settings.shown.parts.hidden.size(), 1U);
+    EXPECT_EQ(session().session_path(), file);
+    hand_.rest();
+    EXPECT_EQ(session().model()->source.name(), "clevis");
+    EXPECT_EQ(session().session_path(), "");
 }
 
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
