@@ -361,6 +361,7 @@ class Session {
     bool moving_ = false; ///< the last picture was one of a movement, averaged with the one before
     Pace pace_;           ///< of this model
     std::optional<Recording> recording_;
+    std::uint64_t recordings_ = 0; ///< that were begun
     /// What a preview was made of.
     struct Previewed {
         ExportOptions options{};

@@ -20,6 +20,7 @@ void Session::start_recording(Move move, const std::filesystem::path& folder, in
                                ? turntable_views(navigation.goal(), model_->lines.bounds, frames)
                                : views_between(kept, frames),
                            make_free_folder(folder, model_->source.stem() + "-pictures"));
+        ++recordings_;
     });
 }
 
@@ -33,9 +34,9 @@ void Session::record_picture() {
         save({.model = *model, .view = view, .size = size, .options = options}, path, *renderer_,
              writer_);
     };
-    const auto then = [this](bool worked) {
+    const auto then = [this, number = recordings_](bool worked) {
         changed(); // the renderer's last frame is not that of the window any more
-        if (!recording_) return;
+        if (!recording_ || number != recordings_) return; // it was stopped
         if (worked) recording_->next();
         if (worked && !recording_->done()) return;
         const Recording done = *std::exchange(recording_, std::nullopt);

@@ -265,6 +265,18 @@ TEST_F(HeldViewer, ASessionKeepsItsSettingsWhileSomethingElseIsOpened) {
     EXPECT_EQ(session().session_path(), "");
 }
 
+TEST_F(HeldViewer, AStoppedRecordingLeavesTheNextOneItsPictures) {
+    HeldDevice::held = true;
+    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
+    step_until([&] { return session().drawing(); });
+    session().cancel_recording();
+    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
+    HeldDevice::held = false;
+    hand_.rest();
+    for (const char* name : {"0000.png", "0001.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-pictures-2" / name)) << name;
+}
+
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
     orbit_and_hold();
     app_.window().close();
