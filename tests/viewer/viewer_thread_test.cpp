@@ -277,6 +277,28 @@ TEST_F(HeldViewer, AStoppedRecordingLeavesTheNextOneItsPictures) {
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-pictures-2" / name)) << name;
 }
 
+TEST_F(HeldViewer, EscapeCancelsWhatTheWindowOffersToCancel) {
+    const auto reads = std::make_shared<std::atomic<bool>>(true);
+    session().loader.set_reader([reads](const auto&) -> std::shared_ptr<viewer::Model> {
+        while (*reads) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        throw Error("there is none");
+    });
+    HeldDevice::held = true;
+    session().save_picture(folder_.path(), "svg");
+    step_until([&] { return hand_.has("work.cancel"); });
+    session().open_scene("clevis");
+    step_until([&] { return hand_.has("cancel"); });
+    EXPECT_FALSE(hand_.has("work.cancel"));
+    hand_.press(GLFW_KEY_ESCAPE);
+    app_.step(0);
+    EXPECT_FALSE(session().loader.busy());
+    EXPECT_EQ(session().work(), viewer::saving_work);
+    HeldDevice::held = *reads = false;
+    hand_.rest();
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house.svg"));
+    while (viewer::Loader::any_thread()) std::this_thread::yield();
+}
+
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
     orbit_and_hold();
     app_.window().close();

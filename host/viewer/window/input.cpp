@@ -44,11 +44,12 @@ void Application::press_key(int key, int mods) {
 
 /// Closes the uppermost thing.
 void Application::press_escape() {
+    const Waiting now = waiting(ui_);
     if (ui_.panel != Panel::none)
         ui_.panel = Panel::none;
-    else if (session_.recording())
+    else if (now == Waiting::recording)
         session_.cancel_recording();
-    else if (session_.work() == saving_work)
+    else if (now == Waiting::work && session_.work() == saving_work)
         session_.cancel_work();
     else if (session_.loader.busy())
         session_.cancel_loading();

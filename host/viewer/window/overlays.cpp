@@ -167,6 +167,12 @@ void at_work(Ui& ui, Area canvas) {
 
 } // namespace
 
+Waiting waiting(const Ui& ui) {
+    if (ui.session.recording()) return Waiting::recording;
+    if (ui.session.loader.shows_progress()) return Waiting::loading;
+    return ui.later || !ui.session.work().empty() ? Waiting::work : Waiting::nothing;
+}
+
 void draw_canvas_overlays(Ui& ui, Area canvas) {
     if (ui.session.settings.split && ui.session.picture(1) != nullptr) split_handle(ui, canvas);
     if (ui.session.model() != nullptr) {
@@ -177,11 +183,12 @@ void draw_canvas_overlays(Ui& ui, Area canvas) {
     }
     draw_gizmo(ui, canvas);
     toolbar(ui, canvas);
-    if (ui.session.recording())
+    const Waiting now = waiting(ui);
+    if (now == Waiting::recording)
         recording(ui, canvas);
-    else if (ui.session.loader.shows_progress())
+    else if (now == Waiting::loading)
         loading(ui, canvas);
-    else if (ui.later || !ui.session.work().empty())
+    else if (now == Waiting::work)
         at_work(ui, canvas);
     else if (ui.session.model() == nullptr && ui.panel == Panel::none)
         draw_start_panel(ui, canvas);

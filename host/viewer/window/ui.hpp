@@ -120,6 +120,10 @@ struct Ui {
     float points(float usual) const { return usual * scale; }
 };
 
+/// What is shown of all that a person waits for, and what Esc cancels first.
+enum class Waiting { nothing, recording, loading, work };
+Waiting waiting(const Ui& ui);
+
 /// Saves a file under a free name made of the model's name; a session under its old name.
 enum class SavedKind { session, png, svg, style, camera, trace };
 void save_as(Ui& ui, SavedKind kind);
