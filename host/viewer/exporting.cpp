@@ -76,7 +76,7 @@ SavedPicture picture_of(const ExportOptions& options, const ExportedDrawing& dra
                          .view = drawing.view,
                          .size = drawing.window,
                          .options = drawing.options,
-                         .go_on = drawing.go_on};
+                         .goes_on = drawing.goes_on};
     if (!place) {
         if (is_pixels(options)) picture.size *= options.pixels;
         return picture;
@@ -129,7 +129,7 @@ void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
     const auto find = [&](const SheetView& view) {
         SeenLines seen =
             find_paths(renderer, model.lines, view.camera, frame, !is_cut && !is_drawn);
-        drawing.go_on();
+        go_on(drawing.goes_on);
         return seen;
     };
     const VectorSheet sheet = make_vector_sheet(model.lines, sheet_of(options, model), find,
@@ -140,6 +140,7 @@ void save_sheet(const ExportOptions& options, const ExportedDrawing& drawing,
                     options.measures ? "auto" : fmt::format("{}", fmt::join(options.views, ",")),
                     options.page) +
         (options.scale.empty() ? "" : " --scale " + options.scale);
+    go_on(drawing.goes_on);
     write_sheet(path, sheet,
                 {.background = !is_cut && !is_drawn,
                  .tags = !is_cut && !is_drawn,

@@ -60,7 +60,7 @@ struct ExportedDrawing {
     View view;         ///< the current view
     glm::ivec2 window; ///< pixels of the view in the window
     FrameOptions options;
-    std::function<void()> go_on{}; ///< SavedPicture::go_on
+    std::function<bool()> goes_on{}; ///< SavedPicture::goes_on
 };
 
 /// A view on a page.

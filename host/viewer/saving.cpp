@@ -8,6 +8,7 @@
 #include "core/style_lengths.hpp"
 #include "io/atomic_file.hpp"
 #include "lineatlas/fills.hpp"
+#include "lineatlas/progress.hpp"
 #include "output/picture_output.hpp"
 #include "output/vector_output.hpp"
 #include "settings.hpp"
@@ -50,11 +51,15 @@ void save_paths(const SavedPicture& picture, const Camera& camera,
     frame.svg.title = picture.model.source.stem();
     frame.json.origin = picture.model.origin;
     frame.description = description;
+    frame.certify = [&](const auto&...) -> std::string { // before the file is written
+        go_on(picture.goes_on);
+        return {};
+    };
     VectorOutput output{
         std::move(frame), picture.model.lines, [&](const Camera& seen) -> SeenLines {
             SeenLines found =
                 find_paths(renderer, picture.model.lines, seen, picture.options, !picture.plotter);
-            if (picture.go_on) picture.go_on();
+            go_on(picture.goes_on);
             return found;
         }};
     output.draw(camera, path);
@@ -68,13 +73,21 @@ void save_pixels(const SavedPicture& picture, const Camera& camera,
     ImageSettings settings;
     settings.description = description;
     settings.dpi = picture.dpi;
-    PictureOutput output{
-        {.size = picture.size, .options = picture.options, .settings = settings}, renderer, writer};
+    PictureOutput output{{.size = picture.size,
+                          .options = picture.options,
+                          .settings = settings,
+                          .goes_on = picture.goes_on},
+                         renderer,
+                         writer};
     output.draw(camera, path);
     output.finish();
 }
 
 } // namespace
+
+void go_on(const std::function<bool()>& goes_on) {
+    if (goes_on && !goes_on()) throw Cancelled("saving was cancelled");
+}
 
 std::string command_of(const SavedPicture& picture) {
     const FrameOptions& options = picture.options;
@@ -137,9 +150,10 @@ void save_text(const std::string& text, const std::filesystem::path& path) {
 }
 
 std::filesystem::path free_path(const std::filesystem::path& folder, const std::string& stem,
-                                const std::string& extension) {
+                                const std::string& extension,
+                                const std::function<bool(const std::filesystem::path&)>& is_taken) {
     std::filesystem::path path = folder / fmt::format("{}.{}", stem, extension);
-    for (int number = 2; std::filesystem::exists(path); ++number) {
+    for (int number = 2; is_taken(path); ++number) {
         path = folder / fmt::format("{}-{}.{}", stem, number, extension);
     }
     return path;

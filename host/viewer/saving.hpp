@@ -27,9 +27,13 @@ struct SavedPicture {
     bool plotter = false;  ///< paths in the order of a pen, without a paper of their own
     bool fit_arcs = false; ///< of paths
     float dpi = 0;         ///< resolution of pixels; 0: not given
-    /// Called before the file is written. May throw.
-    std::function<void()> go_on{};
+    /// Asked between steps of the work, the last time before the file is written. After false
+    /// save() throws Cancelled, and nothing is written.
+    std::function<bool()> goes_on{};
 };
+
+/// Throws Cancelled if `goes_on` says no.
+void go_on(const std::function<bool()>& goes_on);
 
 /// Saves pixels or paths, by extension. Throws Error.
 void save(const SavedPicture& picture, const std::filesystem::path& path, Renderer& renderer,
@@ -48,9 +52,10 @@ std::string command_of(const SavedPicture& picture);
 /// Writes a text file. Throws FileError.
 void save_text(const std::string& text, const std::filesystem::path& path);
 
-/// `folder`/`stem`.`extension`, or, if there is such a file, the first that is free of
+/// `folder`/`stem`.`extension`, or, if that is taken, the first that is free of
 /// `stem`-2.`extension` and so on.
 std::filesystem::path free_path(const std::filesystem::path& folder, const std::string& stem,
-                                const std::string& extension);
+                                const std::string& extension,
+                                const std::function<bool(const std::filesystem::path&)>& is_taken);
 
 } // namespace lineatlas::viewer

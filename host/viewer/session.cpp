@@ -61,12 +61,8 @@ Session::Session(const DeviceOptions& device, ImageWriter& writer, SharedContext
 }
 
 Session::~Session() {
-    outdated_ = ends_ = true;
-    drawing_.wait();
-    for (const Task& task : tasks_) // files that are to be saved
-        if (!task.begun && task.what == saving_work) attempt([&] { drawing_.run(task.work); });
+    finish_saving();
     drawing_.run([&] {
-        tasks_.clear();
         picture_.reset();
         shown_ = {};
         spare_ = {};

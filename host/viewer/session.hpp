@@ -146,6 +146,11 @@ class Session {
     void save_picture(const std::filesystem::path& folder, const std::string& extension);
     /// Likewise saves a drawing for paper, a plotter or a laser, or a sheet of several views.
     void export_to(const std::filesystem::path& path, const ExportOptions& options);
+    /// Whether there is a file of that path, or one is being saved to it.
+    bool is_taken(const std::filesystem::path& path) const;
+    /// A path in `folder` that is not taken, made of the model's name. There must be a model.
+    std::filesystem::path free_path(const std::filesystem::path& folder,
+                                    const std::string& extension) const;
     /// What the drawing thread does that people wait for, such as saving_work; empty: nothing, or
     /// nothing that takes long.
     std::string work() const;
@@ -153,6 +158,9 @@ class Session {
     float work_done() const { return work_done_; }
     /// Gives up all files that are being saved. Nothing is written.
     void cancel_work();
+    /// Saves all files that are to be saved, and waits for that. Nothing else is done any more.
+    /// Returns the messages of those that failed.
+    std::vector<std::string> finish_saving();
     /// The page that export_to() would write, with its views as pictures.
     struct Preview {
         ExportPage page{};
@@ -249,15 +257,17 @@ class Session {
         std::function<void()> work{}; ///< throws Error
         /// Called on the window's thread when `work` is done. `worked`: it has not thrown.
         std::function<void(bool worked)> then{};
+        std::filesystem::path path{}; ///< of the file that is saved
         std::exception_ptr failure{};
         bool begun = false;
         std::chrono::steady_clock::time_point added = std::chrono::steady_clock::now();
     };
     void add_task(Task task);
-    /// Adds one that saves a file. `save` gets the function that throws Cancelled once it should
-    /// not go on, and returns the path.
-    using SaveFile = std::function<std::filesystem::path(const std::function<void()>& go_on)>;
-    void add_saving(SaveFile save);
+    /// Adds one that saves a file. `save` gets the function that says whether to go on, and throws
+    /// Cancelled if not.
+    using SaveFile = std::function<void(const std::function<bool()>& goes_on)>;
+    void add_saving(const std::filesystem::path& path, SaveFile save);
+    static void run(Task& task);
     void make_video_of(const std::filesystem::path& folder);
     /// Choices for a model that is being read.
     struct AwaitedSession {

@@ -16,33 +16,48 @@ ExportedDrawing Session::exported() const {
             .view = navigation.goal(),
             .window = glm::max(size_, 1),
             .options = still_options(settings),
-            .go_on = {}};
+            .goes_on = {}};
 }
 
 void Session::save_picture(const std::filesystem::path& folder, const std::string& extension) {
     if (model_ == nullptr) return;
-    add_saving([this, folder, extension, drawing = exported()](const auto& go_on) {
-        const std::filesystem::path path =
-            free_path(folder, drawing.model->source.stem(), extension);
+    const std::filesystem::path path = free_path(folder, extension);
+    add_saving(path, [this, path, drawing = exported()](const auto& goes_on) {
         give_lines(drawing.model);
         save({.model = *drawing.model,
               .view = drawing.view,
               .size = drawing.window,
               .options = drawing.options,
-              .go_on = go_on},
+              .goes_on = goes_on},
              path, *renderer_, writer_);
-        return path;
     });
 }
 
 void Session::export_to(const std::filesystem::path& path, const ExportOptions& options) {
     if (model_ == nullptr) return;
-    add_saving([this, path, options, drawing = exported()](const auto& go_on) mutable {
-        drawing.go_on = go_on;
+    add_saving(path, [this, path, options, drawing = exported()](const auto& goes_on) mutable {
+        drawing.goes_on = goes_on;
         give_lines(drawing.model);
         save(options, drawing, path, *renderer_, writer_);
-        return path;
     });
+}
+
+bool Session::is_taken(const std::filesystem::path& path) const {
+    const auto whole = [](const std::filesystem::path& any) {
+        std::error_code failure;
+        return std::filesystem::absolute(any, failure).lexically_normal();
+    };
+    std::error_code failure; // then saving tells it
+    return std::filesystem::exists(path, failure) ||
+           std::ranges::any_of(tasks_, [&](const Task& task) {
+               return !task.path.empty() && whole(task.path) == whole(path);
+           });
+}
+
+std::filesystem::path Session::free_path(const std::filesystem::path& folder,
+                                         const std::string& extension) const {
+    return viewer::free_path(folder, model_->source.stem(), extension,
+                             [this](const auto& path) { return is_taken(path); });
 }
 
 bool Session::shows_same(const Previewed& a, const Previewed& b) {

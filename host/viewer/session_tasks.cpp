@@ -1,15 +1,27 @@
 // What the drawing thread does beside pictures, so that the window need not wait: files to save,
 // the lines of another model, previews.
+#include <new>
 #include <utility>
 
 #include "freed_memory.hpp"
 #include "lineatlas/progress.hpp"
+#include "saving.hpp"
 #include "session.hpp"
+#include "style/member_names.hpp"
 
 namespace lineatlas::viewer {
 
 void Session::add_task(Task task) {
     tasks_.push_back(std::move(task));
+}
+
+/// On the drawing thread.
+void Session::run(Task& task) {
+    try {
+        task.work();
+    } catch (...) {
+        task.failure = std::current_exception();
+    }
 }
 
 bool Session::take_task() {
@@ -27,13 +39,7 @@ bool Session::take_task() {
     Task& next = tasks_.front();
     next.begun = true;
     work_done_ = -1;
-    drawing_.start([&next] { // stays where it is until it is done
-        try {
-            next.work();
-        } catch (...) {
-            next.failure = std::current_exception();
-        }
-    });
+    drawing_.start([&next] { run(next); }); // it stays where it is until it is done
     return true;
 }
 
@@ -44,29 +50,48 @@ std::string Session::work() const {
     return tasks_.front().what;
 }
 
-void Session::add_saving(SaveFile save) {
-    auto saved = std::make_shared<std::filesystem::path>();
+void Session::add_saving(const std::filesystem::path& path, SaveFile save) {
+    const auto saved = std::make_shared<bool>(false);
     const auto work = [save = std::move(save), cancelled = saving_cancelled_, saved] {
-        const auto go_on = [&] {
-            if (*cancelled) throw Cancelled("saving was cancelled");
-        };
+        const auto goes_on = [&] { return !*cancelled; };
         try {
-            go_on();
-            *saved = save(go_on);
+            go_on(goes_on);
+            save(goes_on);
+            *saved = true;
         } catch (const Cancelled&) { // cancel_work() has said so
         }
     };
-    const auto then = [this, saved](bool worked) {
+    const auto then = [this, path, saved](bool) {
         give_freed_memory_back(); // a page has many more pixels than the window
-        if (worked && !saved->empty()) messages.notice("Saved " + saved->string());
+        if (*saved) messages.notice("Saved " + path.string());
         changed(); // the renderer's last frame is not that of the window any more
     };
-    add_task({.what = saving_work, .work = work, .then = then});
+    add_task({.what = saving_work, .work = work, .then = then, .path = path});
 }
 
 void Session::cancel_work() {
     *std::exchange(saving_cancelled_, std::make_shared<std::atomic<bool>>(false)) = true;
     messages.notice("Nothing more is saved");
+}
+
+std::vector<std::string> Session::finish_saving() {
+    outdated_ = ends_ = true;
+    drawing_.wait();
+    std::vector<std::string> failures;
+    for (Task& task : tasks_) {
+        if (task.what != saving_work) continue;
+        if (!task.begun) drawing_.run([&] { run(task); });
+        if (!task.failure) continue;
+        try {
+            std::rethrow_exception(task.failure);
+        } catch (const std::bad_alloc&) {
+            failures.push_back(task.path.string() + ": there is not enough memory to save it");
+        } catch (const std::exception& error) {
+            failures.push_back(in_words_of_the_tool(error.what()));
+        }
+    }
+    drawing_.run([&] { tasks_.clear(); }); // with what they made there
+    return failures;
 }
 
 } // namespace lineatlas::viewer

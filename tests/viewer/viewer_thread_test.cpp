@@ -187,8 +187,7 @@ TEST_F(HeldViewer, SavingCanBeCancelled) {
         hand_.rest();
         EXPECT_EQ(session().work(), "");
     }
-    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house.svg"));
-    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house-2.png"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
     session().save_picture(folder_.path(), "svg");
     hand_.rest();
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house.svg")) << "the next is saved";
@@ -299,6 +298,19 @@ TEST_F(HeldViewer, EscapeCancelsWhatTheWindowOffersToCancel) {
     while (viewer::Loader::any_thread()) std::this_thread::yield();
 }
 
+TEST_F(HeldViewer, ANameIsTakenWhileAFileOfThatNameWaits) {
+    const std::filesystem::path first = folder_.path() / "house.svg";
+    HeldDevice::held = true;
+    session().export_to(first, {.format = viewer::FileFormat::svg});
+    EXPECT_TRUE(session().is_taken(first));
+    EXPECT_EQ(session().free_path(folder_.path(), "svg"), folder_.path() / "house-2.svg");
+    session().save_picture(folder_.path(), "svg");
+    EXPECT_EQ(session().free_path(folder_.path(), "svg"), folder_.path() / "house-3.svg");
+    HeldDevice::held = false;
+    hand_.rest();
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-2.svg"));
+}
+
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {
     orbit_and_hold();
     app_.window().close();
@@ -318,6 +330,20 @@ TEST(ViewerEnd, WhatIsToBeSavedIsSavedBeforeTheWindowIsGone) {
     }
     for (const char* name : {"clevis.svg", "clevis-2.svg"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+}
+
+TEST(ViewerEnd, AFileThatCouldNotBeSavedIsNamed) {
+    const TemporaryFolder folder;
+    ImageWriter writer;
+    viewer::Application app{{.size = {600, 400}, .scale = 1, .scripted = true}, writer};
+    ViewerDriver{app}.open_scene("clevis");
+    app.session().export_to(folder.path() / "lost" / "clevis.svg",
+                            {.format = viewer::FileFormat::svg});
+    app.session().save_picture(folder.path(), "svg");
+    const std::vector<std::string> failures = app.session().finish_saving();
+    ASSERT_EQ(failures.size(), 1U);
+    EXPECT_NE(failures.front().find("lost/clevis.svg"), std::string::npos) << failures.front();
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "clevis.svg"));
 }
 
 /// A context that there is not.

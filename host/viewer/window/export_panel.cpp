@@ -292,8 +292,8 @@ void preview(Ui& ui) {
 void begin_export(Ui& ui) {
     if (ui.session.model() == nullptr) return;
     const ExportOptions& options = ui.exporting.options;
-    const std::string stem = ui.session.model()->source.stem();
-    ui.exporting.name = free_path(ui.folder, stem, extension_of(options)).filename().string();
+    const std::filesystem::path path = ui.session.free_path(ui.folder, extension_of(options));
+    ui.exporting.name = path.filename().string();
 }
 
 void draw_export_panel(Ui& ui) {
@@ -316,15 +316,14 @@ void draw_export_panel(Ui& ui) {
     ImGui::BeginChild("export.page", {0, -footer});
     preview(ui);
     ImGui::EndChild();
-    std::error_code failure;
-    const bool replaces = std::filesystem::exists(path_of(ui), failure);
+    const bool replaces = ui.session.is_taken(path_of(ui));
     // Without a preview of these options yet, saving itself tells a problem.
     const bool possible = !ui.exporting.name.empty() &&
                           (!ui.session.has_preview() || ui.session.preview_problem().empty());
     ImGui::BeginDisabled(!possible);
     wanted |= toggle(ui, "export.save", replaces ? "Replace the file" : "Save", true);
     ImGui::EndDisabled();
-    tip(ui, replaces ? "A file of that name exists" : path_of(ui).c_str());
+    tip(ui, replaces ? "A file of that name exists or is being saved" : path_of(ui).c_str());
     ImGui::SameLine(0, ui.points(8));
     if (button(ui, "export.close", "Cancel")) ui.panel = Panel::none;
     tip(ui, "Esc");

@@ -14,6 +14,7 @@
 #include "command_line/style_options.hpp"
 #include "command_line/values.hpp"
 #include "compute/opencl/devices.hpp"
+#include "io/standard_streams.hpp"
 #include "lineatlas/error.hpp"
 #include "lineatlas/scenes.hpp"
 
@@ -52,7 +53,8 @@ void declare(CLI::App& app, Arguments& a) {
     app.footer("F1 shows the keys. Models, styles and cameras can be dropped onto the window.");
 }
 
-void view(Arguments& arguments, ImageWriter& writer) {
+/// Returns the exit code.
+int view(Arguments& arguments, ImageWriter& writer) {
     arguments.read.check();
     arguments.options.size = parse_size("--size", arguments.size);
     if (arguments.theme != "auto") {
@@ -74,6 +76,10 @@ void view(Arguments& arguments, ImageWriter& writer) {
     else if (!arguments.scene.empty())
         session.open_scene(arguments.scene);
     application.run();
+    const std::vector<std::string> failures = session.finish_saving(); // nobody sees the window
+    for (const std::string& failure : failures)
+        print_error(fmt::format("lineatlas: {}\n", failure));
+    return failures.empty() ? 0 : 1;
 }
 
 int run(int argc, char** argv) {
@@ -84,16 +90,17 @@ int run(int argc, char** argv) {
     if (!arguments.models.empty() && !arguments.scene.empty()) {
         throw UsageError("name either a MODEL file or a --scene");
     }
+    int code = 0;
     {
         ImageWriter writer; // made before anything starts a thread
-        view(arguments, writer);
+        code = view(arguments, writer);
     }
     // A cancelled reader cannot be stopped. The program ends without waiting for it.
     if (viewer::Loader::any_thread()) {
         std::fflush(nullptr);
-        std::_Exit(0);
+        std::_Exit(code);
     }
-    return 0;
+    return code;
 }
 
 } // namespace

@@ -149,8 +149,9 @@ Area canvas_area(const Ui& ui, glm::vec2 window) {
 void save_as(Ui& ui, SavedKind kind) {
     Session& session = ui.session;
     if (session.model() == nullptr) return;
-    const std::string stem = session.model()->source.stem();
-    const auto path = [&](const char* extension) { return free_path(ui.folder, stem, extension); };
+    const auto path = [&](const char* extension) {
+        return session.free_path(ui.folder, extension);
+    };
     switch (kind) {
     case SavedKind::session:
         session.save_session(session.session_path().empty() ? path("session.toml")
