@@ -63,7 +63,7 @@ fs::path make_free_folder(const fs::path& parent, const std::string& stem) {
     return folder;
 }
 
-fs::path make_video(const fs::path& folder) {
+fs::path make_video(const fs::path& folder, const std::function<bool()>& goes_on) {
     const fs::path program = find_program("ffmpeg");
     if (program.empty()) return {};
     fs::path video = folder;
@@ -74,7 +74,12 @@ fs::path make_video(const fs::path& folder) {
                   {"-nostdin", "-loglevel", "error", "-y", "-framerate", "25", "-i",
                    (folder / "%04d.png").string(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                    "-pix_fmt", "yuv420p", video.string()},
-                  std::chrono::minutes{10}, Captured::output_and_errors);
+                  std::chrono::minutes{10}, Captured::output_and_errors, goes_on);
+    if (result.stopped) {
+        std::error_code failure; // then a part of the video stays
+        fs::remove(video, failure);
+        return {};
+    }
     if (result.exit_code != 0) {
         const std::string said = result.output.substr(0, result.output.find('\n'));
         throw Error("ffmpeg failed to make a video of the pictures in \"" + folder.string() +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,8 @@ std::filesystem::path make_free_folder(const std::filesystem::path& parent,
                                        const std::string& stem);
 
 /// Makes a video of a recording's folder, beside it, if `ffmpeg` is installed. Returns its path, or
-/// an empty one without ffmpeg. Throws Error.
-std::filesystem::path make_video(const std::filesystem::path& folder);
+/// an empty one without ffmpeg and if `goes_on` says no, which is asked all the time. Throws Error.
+std::filesystem::path make_video(const std::filesystem::path& folder,
+                                 const std::function<bool()>& goes_on);
 
 } // namespace lineatlas::viewer

@@ -33,8 +33,8 @@ namespace lineatlas::viewer {
 /// Whether two views are the same.
 bool same(const View& a, const View& b);
 
-/// Session::work() while a file is saved, which can be cancelled.
-inline constexpr const char* saving_work = "Saving";
+/// Session::work() while a file is saved or a video made, which can be cancelled.
+inline constexpr const char *saving_work = "Saving", *video_work = "Making a video";
 
 /// Everything that a viewer shows and lets one change, without its window: model, camera, settings,
 /// device, and the pictures of the last frame. Actions of a person never throw: `messages` reports
@@ -156,7 +156,10 @@ class Session {
     std::string work() const;
     /// The share of it that is done; below 0: not known.
     float work_done() const { return work_done_; }
-    /// Gives up all files that are being saved. Nothing is written.
+    /// Whether cancel_work() has an effect on work().
+    bool can_cancel_work() const;
+    /// Gives up all files that are being saved, of which nothing is written; or the video that is
+    /// being made.
     void cancel_work();
     /// Saves all files that are to be saved, and waits for that. Nothing else is done any more.
     /// Returns the messages of those that failed.
@@ -355,6 +358,7 @@ class Session {
     std::deque<Task> tasks_;           ///< the first may have begun; a picture goes before it
     std::atomic<float> work_done_{-1}; ///< of the first
     std::atomic<bool> ends_{false};    ///< the session; long work stops
+    std::atomic<bool> stops_video_{false};
     std::shared_ptr<std::atomic<bool>> saving_cancelled_ =
         std::make_shared<std::atomic<bool>>(false); ///< of the tasks that save now
     Canvases spare_;                                ///< of the picture before, for the next one

@@ -60,8 +60,11 @@ void Session::make_video_of(const std::filesystem::path& folder) {
     const auto then = [this, video](bool worked) {
         if (worked && !video->empty()) messages.notice("Saved " + video->string());
     };
-    add_task(
-        {.what = "Making a video", .work = [=] { *video = make_video(folder); }, .then = then});
+    stops_video_ = false;
+    const auto work = [this, video, folder] {
+        *video = make_video(folder, [this] { return !stops_video_ && !ends_; });
+    };
+    add_task({.what = video_work, .work = work, .then = then});
 }
 
 } // namespace lineatlas::viewer

@@ -69,7 +69,16 @@ void Session::add_saving(const std::filesystem::path& path, SaveFile save) {
     add_task({.what = saving_work, .work = work, .then = then, .path = path});
 }
 
+bool Session::can_cancel_work() const {
+    const std::string what = work();
+    return what == saving_work || what == video_work;
+}
+
 void Session::cancel_work() {
+    if (!tasks_.empty() && tasks_.front().what == video_work) {
+        stops_video_ = true;
+        return messages.notice("No video is made. The pictures stay");
+    }
     *std::exchange(saving_cancelled_, std::make_shared<std::atomic<bool>>(false)) = true;
     messages.notice("Nothing more is saved");
 }

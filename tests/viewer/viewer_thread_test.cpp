@@ -2,12 +2,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "compute/cpp/cpp_device.hpp"
+#include "environment_variable.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
 #include "viewer/drawing_thread.hpp"
@@ -309,6 +311,23 @@ TEST_F(HeldViewer, ANameIsTakenWhileAFileOfThatNameWaits) {
     HeldDevice::held = false;
     hand_.rest();
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-2.svg"));
+}
+
+TEST_F(HeldViewer, AVideoCanBeCancelled) {
+    const std::filesystem::path program = folder_.path() / "ffmpeg";
+    std::ofstream{program} << "#!/bin/sh\nfor last; do :; done\ntouch \"$last\"\nexec sleep 600\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    const EnvironmentVariable path{"PATH", folder_.path().string() + ":" + std::getenv("PATH")};
+    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
+    const std::filesystem::path video = folder_.path() / "house-pictures.mp4";
+    step_until([&] { return hand_.has("work.cancel") && std::filesystem::exists(video); });
+    EXPECT_EQ(session().work(), viewer::video_work);
+    hand_.press(GLFW_KEY_ESCAPE);
+    const auto start = std::chrono::steady_clock::now();
+    hand_.rest();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes{1});
+    EXPECT_FALSE(std::filesystem::exists(video));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-pictures" / "0001.png"));
 }
 
 TEST_F(HeldViewer, TheWindowClosesWhileAPictureIsDrawn) {

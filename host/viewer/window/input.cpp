@@ -49,7 +49,7 @@ void Application::press_escape() {
         ui_.panel = Panel::none;
     else if (now == Waiting::recording)
         session_.cancel_recording();
-    else if (now == Waiting::work && session_.work() == saving_work)
+    else if (now == Waiting::work && session_.can_cancel_work())
         session_.cancel_work();
     else if (session_.loader.busy())
         session_.cancel_loading();

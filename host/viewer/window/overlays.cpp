@@ -158,9 +158,9 @@ void at_work(Ui& ui, Area canvas) {
     begin_overlay(ui, "work", canvas.low + 0.5F * canvas.size, {0.5F, 0.5F});
     ImGui::Text("%s ...", ui.later ? ui.later->first.c_str() : work.c_str());
     if (!ui.later) progress_bar(ui, ui.session.work_done());
-    if (work == saving_work) {
+    if (ui.session.can_cancel_work()) {
         if (button(ui, "work.cancel", "Cancel")) ui.session.cancel_work();
-        tip(ui, "Nothing is written (Esc)");
+        tip(ui, work == saving_work ? "Nothing is written (Esc)" : "The pictures stay (Esc)");
     }
     ImGui::End();
 }
