@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 
 #include "compute/cpp/cpp_device.hpp"
@@ -141,10 +142,10 @@ TEST_F(HeldViewer, WhatMovesMeanwhileKeepsAPictureFromBecomingExact) {
 
 TEST_F(HeldViewer, WhatNeedsTheDeviceWaitsForThePicture) {
     orbit_and_hold();
-    std::thread{[] {
+    const std::jthread letting_go{[] {
         std::this_thread::sleep_for(std::chrono::milliseconds{50});
         HeldDevice::held = false;
-    }}.detach();
+    }};
     session().use_device({.compute = "cpp"});
     EXPECT_FALSE(HeldDevice::held);
     EXPECT_EQ(session().device().compute, "cpp");
@@ -199,11 +200,11 @@ TEST_F(HeldViewer, AnotherModelWaitsForThePictureAndTheWindowDoesNot) {
     orbit_and_hold();
     session().open_scene("clevis");
     while (viewer::Loader::any_thread()) app_.step(0.01);
-    std::thread{[] { // ends a test that fails
-        std::this_thread::sleep_for(std::chrono::seconds{5});
+    const std::jthread letting_go{[](const std::stop_token& stop) { // ends a test that fails
+        for (int i = 0; i < 500 && !stop.stop_requested(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds{10});
         HeldDevice::held = false;
-    }}
-        .detach();
+    }};
     for (int i = 0; i < 10; ++i) app_.step(0);
     EXPECT_TRUE(HeldDevice::held);
     EXPECT_EQ(session().model()->source.name(), "house");
@@ -266,18 +267,6 @@ TEST_F(HeldViewer, ASessionKeepsItsSettingsWhileSomethingElseIsOpened) {
     EXPECT_EQ(session().session_path(), "");
 }
 
-TEST_F(HeldViewer, AStoppedRecordingLeavesTheNextOneItsPictures) {
-    HeldDevice::held = true;
-    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
-    step_until([&] { return session().drawing(); });
-    session().cancel_recording();
-    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
-    HeldDevice::held = false;
-    hand_.rest();
-    for (const char* name : {"0000.png", "0001.png"})
-        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-pictures-2" / name)) << name;
-}
-
 TEST_F(HeldViewer, EscapeCancelsWhatTheWindowOffersToCancel) {
     const auto reads = std::make_shared<std::atomic<bool>>(true);
     session().loader.set_reader([reads](const auto&) -> std::shared_ptr<viewer::Model> {
@@ -298,6 +287,18 @@ TEST_F(HeldViewer, EscapeCancelsWhatTheWindowOffersToCancel) {
     hand_.rest();
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house.svg"));
     while (viewer::Loader::any_thread()) std::this_thread::yield();
+}
+
+TEST_F(HeldViewer, AStoppedRecordingLeavesTheNextOneItsPictures) {
+    HeldDevice::held = true;
+    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
+    step_until([&] { return session().drawing(); });
+    session().cancel_recording();
+    session().start_recording(viewer::Session::Move::turntable, folder_.path(), 2);
+    HeldDevice::held = false;
+    hand_.rest();
+    for (const char* name : {"0000.png", "0001.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "house-pictures-2" / name)) << name;
 }
 
 TEST_F(HeldViewer, ANameIsTakenWhileAFileOfThatNameWaits) {
