@@ -158,8 +158,9 @@ void Application::step(double longest_wait) {
 void Application::advance() {
     const auto now = std::chrono::steady_clock::now();
     constexpr double longest = 0.1; // a slow frame must not make a jump
+    const std::chrono::duration<double> past = now - std::exchange(last_, now);
     const double seconds =
-        std::min(std::chrono::duration<double>(now - std::exchange(last_, now)).count(), longest);
+        options_.seconds_a_step > 0 ? options_.seconds_a_step : std::min(past.count(), longest);
     const std::size_t messages = session_.messages.all().size();
     const Model* model = session_.model();
     if (session_.take_picture()) note_picture();

@@ -19,6 +19,7 @@ struct ApplicationOptions {
     std::optional<Theme> theme{}; ///< none: as the desktop wants
     bool scripted =
         false; ///< pictures become exact at once and do not wait for a hand to rest; for tests
+    double seconds_a_step = 0; ///< by which glides and notices go on; 0: as time goes; for tests
 };
 
 /// The viewer: a session in a window.
