@@ -492,7 +492,7 @@ class CurveFinder {
         again(mesh_.surfaces.parameters);
         again(mesh_.triangle_group);
         again(mesh_.triangle_object);
-        again(cut_.part_of_triangle);
+        again(cut_.parts.of_triangle);
         // The corner opposite the step keeps its normal.
         for (std::size_t k = 0; k < 3 && !mesh_.corner_normals.empty(); ++k)
             mesh_.corner_normals[3 * std::size_t{number} + k] =
