@@ -144,7 +144,7 @@ std::vector<Interval> met_intervals(const LineSet& lines, const ClippedLines& cl
                                     const Camera& camera, std::span<const Interval> intervals) {
     Pieces pieces = make_pieces(lines, camera, intervals);
     drop_flickers(pieces);
-    meet_junctions(lines, glm::dvec2{camera.size}, pieces);
+    meet_junctions(lines, camera, pieces);
     std::vector<Interval> result;
     for (const Piece& piece : pieces.list) {
         const ClippedSegment& segment = clipped.clipped[piece.segment];
