@@ -59,7 +59,7 @@ struct KernelResources {
     /// tell.
     std::uint32_t resident = 0;
 
-    bool operator==(const KernelResources&) const = default;
+    bool operator==(const KernelResources&) const = default; ///< Whether all numbers are equal.
 };
 
 /// A launch on a device of the kind "perf". A CPU's events are those of all threads of this
