@@ -87,6 +87,15 @@ void append_carried(std::vector<std::byte>& result, compute::Stages& stages,
     append(result, read_back<Run>(device, *on_device, count));
 }
 
+/// Scans of more values than one work-group scans alone: its sums fit one group, or they do not.
+void append_scans(std::vector<std::byte>& result, compute::Stages& stages) {
+    for (const std::uint32_t n : {600U, 2200U}) {
+        const auto values = to_device(stages.device(), std::vector(n + 1, 3U));
+        stages.scan(*values, n, compute::ScanKind::wrap);
+        append(result, read_back<la_uint>(stages.device(), *values, n + 1));
+    }
+}
+
 /// The silhouettes that a camera sees, in chains; `result` gets the segments and where they came
 /// from.
 void append_chains(std::vector<std::byte>& result, compute::Stages& stages, const LineSet& lines,
@@ -297,6 +306,7 @@ std::vector<std::byte> run_all(FrameStages& stages, const LineSet& lines, bool w
     append_chains(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append_outline(result, on_device, smooth, look_at_it(0, smooth.bounds));
     append_normals(result, on_device, smooth);
+    append_scans(result, on_device);
     append(result, drawn.texels);
     append(result, drawn.tiles);
     append(result, drawn.seen);
@@ -353,6 +363,7 @@ void check(const compute::OpenClDevice& device, const Form& form, const LineSet&
         poison_new_buffers(poison);
         compute::Tuning tuning = compute::tuning_for(shaped);
         tuning.depth_tile = 32; // because Oclgrind is slow for every texel
+        tuning.scan_tile = 16;  // and every value
         FrameStages stages{compute::make_opencl_backend(device, {}, tuning), lines, settings};
         name = stages.device().description();
         const auto log = stages.device().begin_log();
