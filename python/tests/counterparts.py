@@ -166,7 +166,7 @@ NOT_IN_PYTHON = {
     "figures of a frame, which `lineatlas draw --stats`, --profile and --kernels give": """
         FrameStats.* StageTime.* FrameOptions.measure_stages FrameOptions.profile Renderer.tables() Renderer.take_profiles() FrameProfile.*
         ProfileEvent.* ProfileTrack.* StageShare.* profile_csv() profile_table() profile_trace() stage_shares()
-        Bound Bound.* KernelTime.* LaunchCounts.* PerfCounts.* Roofs.* kernel_csv() kernel_json() kernel_table() kernel_times()
+        Bound Bound.* KernelResources KernelResources.* KernelTime.* LaunchCounts.* PerfCounts.* Roofs.* measure_arithmetic() kernel_csv() kernel_json() kernel_table() kernel_times()
         kernel_trace() register_counting_device() register_perf_device() roofline_svg() take_launch_counts() take_perf_counts()
         why_no_perf_events()
         LineTimes.* LeftOut.* OddTriangles.*""",
