@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/edge_curve.hpp"
+#include "core/plane_vectors.hpp"
 #include "surface/plane_section.hpp"
 #include "surface/round_surface.hpp"
 
@@ -333,7 +334,7 @@ class CurveFinder {
                                         glm::dot(at, unrolled(curve, plane_.v))};
             };
             const glm::dvec2 by_a = change(a, at_a), by_b = change(b, at_b);
-            const double turn = by_a.x * by_b.y - by_a.y * by_b.x;
+            const double turn = cross(by_a, by_b);
             constexpr double smooth = 0.02; // sine of the angle between curves that do not cross
             if (!(std::abs(turn) > smooth * glm::length(by_a) * glm::length(by_b)))
                 return std::nullopt;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/plane_vectors.hpp"
 #include "holes.hpp"
 #include "polygon/polygon.hpp"
 
@@ -16,8 +17,7 @@ namespace {
 double area_of(std::span<const glm::dvec2> points) {
     double twice = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec2 a = points[i], b = points[(i + 1) % points.size()];
-        twice += a.x * b.y - a.y * b.x;
+        twice += cross(points[i], points[(i + 1) % points.size()]);
     }
     return 0.5 * twice;
 }
@@ -87,7 +87,7 @@ class LoopFinder {
             if (used_[i]) continue;
             const bool forwards = steps_[i].from == here;
             const glm::dvec2 goes = flat(forwards ? steps_[i].to : steps_[i].from) - flat(here);
-            const double turn = std::atan2(came.x * goes.y - came.y * goes.x, glm::dot(came, goes));
+            const double turn = angle_between(came, goes);
             const double rank = (forwards ? 10 : 0) + turn + 4;
             if (rank <= best_rank) continue;
             best = i;

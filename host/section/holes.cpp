@@ -5,12 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
+
 namespace lineatlas {
 namespace {
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 bool in_triangle(glm::dvec2 at, glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     const double u = cross(b - a, at - a), v = cross(c - b, at - b), w = cross(a - c, at - c);

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "circle_fitting.hpp"
+#include "core/plane_vectors.hpp"
 
 namespace lineatlas {
 namespace {
@@ -125,7 +126,7 @@ class ArcFinder {
     double turn_between(const Piece& piece, const Piece& next) const {
         const glm::dvec2 a = points_[piece.last] - points_[piece.last - 1];
         const glm::dvec2 b = points_[next.first + 1] - points_[next.first];
-        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+        return angle_between(a, b);
     }
 
     /// A part of an ellipse near its end resembles an arc, too. So an arc is dropped if the path
@@ -213,7 +214,7 @@ class ArcFinder {
         const auto turn = [&](std::size_t i) {
             const glm::dvec2 a = run[i] - run[i - 1];
             const glm::dvec2 b = run[i + 1] - run[i];
-            return a.x * b.y - a.y * b.x;
+            return cross(a, b);
         };
         const std::size_t last = run.size() - 2;
         return turn(1) * turn(last) > 0;

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/plane_vectors.hpp"
+
 namespace lineatlas {
 
 /// A circle in a plane.
@@ -20,9 +22,7 @@ struct Circle {
     }
     /// The angle from one point to the next, -180 to 180 degrees.
     double angle(glm::dvec2 from, glm::dvec2 to) const {
-        const glm::dvec2 a = from - center;
-        const glm::dvec2 b = to - center;
-        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+        return angle_between(from - center, to - center);
     }
     double sagitta(double angle) const { return radius * (1 - std::cos(0.5 * angle)); }
 };

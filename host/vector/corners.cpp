@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "core/plane_vectors.hpp"
 #include "shared/constants.h"
 
 namespace lineatlas {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double longest = 1;        ///< pixels
 constexpr double least_slope = 1e-3; ///< of a line that goes behind a face and not along it
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 class Corners {
   public:

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
+
 namespace lineatlas {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double sharpest = 0.7;  ///< radians by which chords of a smooth line 
 constexpr double straight = 1e-3; ///< radians between a tangent and its chord
 /// A chord that is this many times as long as its neighbour is straight; the neighbour is short.
 constexpr double much_longer = 8;
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 glm::dvec2 unit(glm::dvec2 v) {
     const double length = glm::length(v);

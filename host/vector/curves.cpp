@@ -17,6 +17,7 @@
 
 #include "circle_fitting.hpp"
 #include "core/edge_curve.hpp"
+#include "core/plane_vectors.hpp"
 #include "cubic_fitting.hpp"
 #include "edges_by_place.hpp"
 #include "mesh_circles.hpp"
@@ -73,11 +74,6 @@ class PathEnds {
     std::vector<glm::dvec2> ends_;
     SegmentGrid grid_; ///< of `ends_`
 };
-
-/// From one to the other the shorter way round.
-double angle_between(glm::dvec2 a, glm::dvec2 b) {
-    return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-}
 
 } // namespace
 
@@ -343,7 +339,7 @@ class PathCurves::Finder {
     /// elsewhere.
     static bool runs_beside(const Leg& chord, const Leg& other) {
         const glm::dvec2 way = chord.b - chord.a, along = other.b - other.a;
-        const double across = std::abs(way.x * along.y - way.y * along.x);
+        const double across = std::abs(cross(way, along));
         if (across > beside * std::max(glm::length(way), glm::length(along))) return false;
         if (distance_to(chord.middle(), other.a, other.b) > beside &&
             distance_to(other.middle(), chord.a, chord.b) > beside)
@@ -678,7 +674,7 @@ class PathCurves::Finder {
         const double extreme = 0.5 * (low + high);
         if (std::abs(extreme - at) > 0.99 * chord) return; // it goes on
         const glm::dvec2 reach = beyond(extreme);
-        const double off = reach.x * along.y - reach.y * along.x;
+        const double off = cross(reach, along);
         if (!(glm::dot(reach, along) > 0) || !(std::abs(off) < Ellipse::flattest)) return;
         end.at += reach;
         end.world = place_on(curve, extreme);

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
 #include "segment_grid.hpp"
 #include "shared/constants.h"
 
@@ -108,7 +109,6 @@ class Halos {
     }
 
     static std::optional<Crossing> crossing_of(const StrokePiece& piece, const StrokePiece& other) {
-        const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
         const double sine = cross(piece.along, other.along);
         if (!(std::abs(sine) >= least_sine)) return {};
         const glm::dvec2 between = other.a.at - piece.a.at;

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
 #include "patch_cover.hpp"
 #include "segment_grid.hpp"
 #include "shared/constants.h"
@@ -30,10 +31,6 @@ constexpr double exact_reach = 2.5;
 constexpr double beyond_end = 0.05;
 /// The same for silhouettes. They are tested off their surface, so they vanish a little early.
 constexpr double beyond_silhouette = 1.75;
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 /// The range along its segment to which an end may move.
 struct Range {

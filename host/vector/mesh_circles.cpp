@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "circle_fitting.hpp"
+#include "core/plane_vectors.hpp"
 
 namespace lineatlas {
 namespace {
@@ -288,8 +289,7 @@ class ArcsOfChain {
 
     /// Seen from the centre; below 0 if the chord goes the other way round.
     static double angle_of(const Arc& arc, const Chord& chord) {
-        const glm::dvec2 a = in_plane(arc, chord.from), b = in_plane(arc, chord.to);
-        return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+        return angle_between(in_plane(arc, chord.from), in_plane(arc, chord.to));
     }
 
     static bool is_on(const Arc& arc, glm::dvec3 place) {

@@ -7,14 +7,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "core/plane_vectors.hpp"
+
 namespace lineatlas {
 namespace {
 
 constexpr std::uint32_t no_face = 0xFFFFFFFF;
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 } // namespace
 

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
 #include "paths.hpp"
 #include "pieces.hpp"
 #include "segment_grid.hpp"
@@ -17,10 +18,6 @@ constexpr double at_chord = 0.03;  ///< of what ends there, pixels
 constexpr double farthest = 1;     ///< between a chord and its curve, pixels
 constexpr double least_sine = 0.2; ///< between lines that cross
 constexpr double shortest = 1e-3;  ///< step that has a direction, pixels
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 /// The way from the end of a line on to where it meets the line from `a` to `b`, in lengths of its
 /// last step; below 0 back along that step.

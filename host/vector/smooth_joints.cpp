@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/plane_vectors.hpp"
 #include "paths.hpp"
 
 namespace lineatlas {
@@ -126,9 +127,7 @@ class Joints {
     bool go_on(const End& a, const End& b) const {
         const VectorPath &one = paths_[a.path], &other = paths_[b.path];
         if (!is_on_surface(b) || one.outline != other.outline || one.pen != other.pen) return false;
-        const glm::dvec2 out = way_out(a), in = -way_out(b);
-        const double turn = std::atan2(out.x * in.y - out.y * in.x, glm::dot(out, in));
-        return std::abs(turn) < sharpest;
+        return std::abs(angle_between(way_out(a), -way_out(b))) < sharpest;
     }
 
     bool is_on_surface(const End& end) const {
