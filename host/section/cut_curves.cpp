@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/edge_curve.hpp"
+#include "core/pair_key.hpp"
 #include "core/plane_vectors.hpp"
 #include "surface/plane_section.hpp"
 #include "surface/round_surface.hpp"
@@ -355,27 +356,23 @@ class CurveFinder {
         return glm::distance(one, place) < glm::distance(other, place) ? one : other;
     }
 
-    using Ends = std::pair<std::uint32_t, std::uint32_t>;
-    static Ends ends_of(const CutStep& step) {
-        return {std::min(step.from, step.to), std::max(step.from, step.to)};
-    }
-
     /// Divides steps of curves that are known by their places alone where these turn by so much
     /// that no smooth curve can be told from the ends.
     void divide_steps() {
         // Where parts touch, both are divided alike, or neither is.
-        std::set<Ends> kept;
+        std::set<std::uint64_t> kept; // by their ends
         for (std::size_t i = 0; i < cut_.steps.size(); ++i)
             if (curve_of_step_[i] == none || !curves_[curve_of_step_[i]].is_of_places())
-                kept.insert(ends_of(cut_.steps[i]));
-        std::map<Ends, std::vector<std::uint32_t>> places; // from the lower end on
+                kept.insert(pair_key(cut_.steps[i].from, cut_.steps[i].to));
+        std::map<std::uint64_t, std::vector<std::uint32_t>> places; // from the lower end on
         const std::size_t count = cut_.steps.size();
         for (std::size_t i = 0; i < count; ++i) {
             const CutStep step = cut_.steps[i];
-            if (kept.contains(ends_of(step))) continue;
+            const std::uint64_t ends = pair_key(step.from, step.to);
+            if (kept.contains(ends)) continue;
             const std::optional<Corners> corners = corners_of(step);
             if (!corners) continue;
-            const auto [found, is_new] = places.try_emplace(ends_of(step));
+            const auto [found, is_new] = places.try_emplace(ends);
             if (is_new)
                 for (const glm::dvec3& place : places_within(step, *corners)) {
                     found->second.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
@@ -391,7 +388,7 @@ class CurveFinder {
     /// The corners of the triangle that has a step as its side.
     struct Corners {
         std::uint32_t triangle;
-        std::uint32_t from, to, beside; ///< numbers of corners, 0 to 2
+        std::uint32_t from, to; ///< numbers of corners, 0 to 2
     };
 
     std::optional<Corners> corners_of(const CutStep& step) const {
@@ -402,7 +399,7 @@ class CurveFinder {
                 const std::uint32_t next = (k + 1) % 3;
                 if (t[static_cast<int>(k)] == step.to && t[static_cast<int>(next)] == step.from &&
                     mesh_.surfaces.of_triangle[i] == surface_of(step))
-                    return Corners{i, next, k, (k + 2) % 3};
+                    return Corners{i, next, k};
             }
         return std::nullopt;
     }
