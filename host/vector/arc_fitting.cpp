@@ -19,10 +19,6 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double tolerance = 0.02; ///< pixels from the circle
 constexpr std::size_t fewest_points = 5;
 constexpr double least_sweep = 30 * degree;
-constexpr double largest_step = 30.5 * degree; ///< a twelfth of a circle, and rounding
-/// Small circles lose points when paths are simplified, so longer steps are allowed if the chord is
-/// this near to the arc.
-constexpr double small_sagitta = 0.06; ///< pixels
 
 using Points = std::span<const glm::dvec2>;
 
@@ -39,8 +35,7 @@ std::optional<double> sweep_on(const Circle& circle, Points points) {
         if (!(std::abs(circle.distance(points[i])) <= tolerance)) return std::nullopt;
         if (i == 0) continue;
         const double step = circle.angle(points[i - 1], points[i]);
-        const double width = std::abs(step);
-        if (width > largest_step && circle.sagitta(width) > small_sagitta) return std::nullopt;
+        if (!circle.is_told_by(std::abs(step))) return std::nullopt;
         if (step == 0 || (sweep != 0 && (step > 0) != (sweep > 0))) return std::nullopt;
         sweep += step;
     }
@@ -144,7 +139,7 @@ class ArcFinder {
                 if (pieces[next].is_arc()) return false;
                 const double turn = forwards ? turn_between(pieces[at], pieces[next])
                                              : turn_between(pieces[next], pieces[at]);
-                if (!(turn / step > 0.3) || std::abs(turn) > largest_step) return false;
+                if (!(turn / step > 0.3) || std::abs(turn) > Circle::largest_step) return false;
                 at = next;
             }
             return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -25,6 +26,16 @@ struct Circle {
         return angle_between(from - center, to - center);
     }
     double sagitta(double angle) const { return radius * (1 - std::cos(0.5 * angle)); }
+    /// Whether points that are this angle apart, above 0, are near enough to tell an arc from other
+    /// curves. Small circles lose points when paths are simplified, so a longer step will do if its
+    /// chord is near to the arc.
+    bool is_told_by(double angle) const {
+        constexpr double small_sagitta = 0.06; // pixels
+        return angle <= largest_step || sagitta(angle) <= small_sagitta;
+    }
+
+    /// A twelfth of a circle, and rounding.
+    static constexpr double largest_step = 30.5 * std::numbers::pi / 180;
 };
 
 /// The circle with the least squares of the points' distances from it (Gauss-Newton); nothing where

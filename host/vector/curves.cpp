@@ -715,9 +715,7 @@ class PathCurves::Finder {
     static std::optional<VectorArc> circle_of(std::span<const glm::dvec2> points) {
         constexpr double off = 0.5 * most_off_surface;
         constexpr std::size_t fewest = 12;
-        constexpr double widest = 30.5 / 360 * turn; // a twelfth of a circle, and rounding
-        constexpr double least_sagitta = 0.06;       // pixels, by which points are left out
-        if (points.size() <= fewest) return {};      // the first one is the last one, too
+        if (points.size() <= fewest) return {}; // the first one is the last one, too
         const std::optional<Circle> circle = fit_circle(points);
         if (!circle) return {};
         double sweep = 0;
@@ -725,9 +723,7 @@ class PathCurves::Finder {
             if (std::abs(circle->distance(points[i])) > off) return {};
             if (i == 0) continue;
             const double step = circle->angle(points[i - 1], points[i]);
-            const double width = std::abs(step);
-            if (!(step * sweep >= 0) || !(width < widest || circle->sagitta(width) < least_sagitta))
-                return {};
+            if (!(step * sweep >= 0) || !circle->is_told_by(std::abs(step))) return {};
             sweep += step;
         }
         if (std::abs(std::abs(sweep) - turn) > 0.5 * turn) return {}; // no turn, or several
