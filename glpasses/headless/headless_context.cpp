@@ -148,13 +148,10 @@ void mistrust_driver() {
     const auto is = [](const std::optional<int>& status, int code) {
         return !status || (WIFEXITED(*status) && WEXITSTATUS(*status) == code);
     };
-    constexpr int copies = 4; // near its limit a driver fails by chance
-    std::optional<int> status;
-    for (int copy = 0; copy < copies; ++copy) {
-        status = status_of_copy(room);
-        if (!is(status, 0)) break;
-        if (!status || copy + 1 == copies) return;
-    }
+    std::optional<int> status = status_of_copy(room);
+    // Near its limit a driver fails by chance.
+    for (int more = 3; more > 0 && status && is(status, 0); --more) status = status_of_copy(room);
+    if (is(status, 0)) return;
     // This process will say so itself, unless memory was the reason.
     if (is(status, refused) && is(status_of_copy(0), refused)) return;
     const std::string how =
