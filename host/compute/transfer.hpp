@@ -18,19 +18,19 @@ std::unique_ptr<Buffer> to_device(Device& device, const std::vector<T>& values) 
     return buffer;
 }
 
-/// The first `count` values of a buffer. Waits for the device.
-template <class T>
-std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
-    std::vector<T> values(count);
-    device.download(buffer, std::as_writable_bytes(std::span{values}));
-    return values;
-}
-
 /// Fills `values` with the first values of a buffer. Waits for the device.
 template <class T>
 void read_into(std::vector<T>& values, Device& device, Buffer& buffer, std::size_t count) {
     values.resize(count);
     device.download(buffer, std::as_writable_bytes(std::span{values}));
+}
+
+/// The first `count` values of a buffer. Waits for the device.
+template <class T>
+std::vector<T> read_back(Device& device, Buffer& buffer, std::size_t count) {
+    std::vector<T> values;
+    read_into(values, device, buffer, count);
+    return values;
 }
 
 /// One value of a buffer. Waits for the device.
