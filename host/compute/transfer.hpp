@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lineatlas/compute_device.hpp"
+#include "lineatlas/error.hpp"
 
 namespace lineatlas::compute {
 
@@ -39,6 +40,16 @@ T read_one(Device& device, Buffer& buffer, std::size_t index = 0) {
     T value;
     device.download(buffer, std::as_writable_bytes(std::span{&value, 1}), index * sizeof(T));
     return value;
+}
+
+/// Waits for transfers that have begun, before the host's memory of them goes. An error may have
+/// ended a frame before its finish().
+inline void end_transfers(Device& device) {
+    try {
+        device.finish();
+    } catch (const DeviceError&) {
+        return; // a queue that failed runs nothing any more
+    }
 }
 
 } // namespace lineatlas::compute

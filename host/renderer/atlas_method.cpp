@@ -41,12 +41,7 @@ AtlasMethod::AtlasMethod(const interop::Connection& connection)
 }
 
 AtlasMethod::~AtlasMethod() {
-    if (!counts_come_) return;
-    try {
-        device_.finish(); // an error has ended a frame whose copies may still run
-    } catch (const DeviceError&) {
-        return; // a queue that failed runs nothing any more
-    }
+    if (counts_come_) compute::end_transfers(device_);
 }
 
 void AtlasMethod::release_scene() {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "compute/transfer.hpp"
 #include "frame_forms.hpp"
-#include "lineatlas/error.hpp"
 #include "picture_limits.hpp"
 
 namespace lineatlas {
@@ -41,12 +41,7 @@ DepthStage::DepthStage(const interop::Connection& connection)
       tiles_(*connection.sharing, compute::table::pyramid) {}
 
 DepthStage::~DepthStage() {
-    if (copy_of_seen_ != Copy::begun) return;
-    try {
-        device_.finish(); // an error has ended a frame whose copy may still run
-    } catch (const DeviceError&) {
-        return; // a queue that failed runs nothing any more
-    }
+    if (copy_of_seen_ == Copy::begun) compute::end_transfers(device_);
 }
 
 void DepthStage::set_scene(const SceneBuffers& scene) {

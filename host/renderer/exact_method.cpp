@@ -1,8 +1,8 @@
 #include "exact_method.hpp"
 
+#include "compute/transfer.hpp"
 #include "core/progress.hpp"
 #include "depth_stage.hpp"
-#include "lineatlas/error.hpp"
 #include "tile_loop.hpp"
 
 namespace lineatlas {
@@ -22,12 +22,7 @@ void ExactMethod::set_scene(const SceneBuffers& scene) {
 }
 
 ExactMethod::~ExactMethod() {
-    if (!late_) return;
-    try {
-        device_.finish(); // an error has ended a frame whose copies may still run
-    } catch (const DeviceError&) {
-        return; // a queue that failed runs nothing any more
-    }
+    if (late_) compute::end_transfers(device_);
 }
 
 bool ExactMethod::may_be_late(const Frame& frame) const {
