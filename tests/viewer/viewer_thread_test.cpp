@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "compute/cpp/cpp_device.hpp"
+#include "compute/forwarding_device.hpp"
 #include "environment_variable.hpp"
 #include "lineatlas/compute_device.hpp"
 #include "lineatlas/error.hpp"
@@ -20,43 +21,18 @@ namespace lineatlas::test {
 namespace {
 
 /// The device cpp, whose kernels wait while it is held, and fail while it is broken.
-class HeldDevice final : public compute::Device {
+class HeldDevice final : public compute::ForwardingDevice {
   public:
+    HeldDevice() : ForwardingDevice(compute::make_cpp_device()) {}
+
     static std::atomic<bool> held, broken;
 
     std::string description() const override { return "held"; }
-    const compute::Tuning& tuning() const override { return device_->tuning(); }
-    std::unique_ptr<compute::Buffer> allocate(std::size_t bytes) override {
-        return device_->allocate(bytes);
-    }
-    std::unique_ptr<compute::Buffer> wrap(std::span<std::byte> memory) override {
-        return device_->wrap(memory);
-    }
-    void begin_host_access(compute::Buffer& buffer) override { device_->begin_host_access(buffer); }
-    void end_host_access(compute::Buffer& buffer) override { device_->end_host_access(buffer); }
-    void upload(compute::Buffer& buffer, std::span<const std::byte> data,
-                std::size_t offset) override {
-        device_->upload(buffer, data, offset);
-    }
-    void download(compute::Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
-        device_->download(buffer, data, offset);
-    }
-    void copy(compute::Buffer& from, compute::Buffer& to, std::size_t bytes) override {
-        device_->copy(from, to, bytes);
-    }
-    void clear(compute::Buffer& buffer, std::size_t bytes) override {
-        device_->clear(buffer, bytes);
-    }
     void launch(const compute::Launch& launch) override {
         while (held) std::this_thread::sleep_for(std::chrono::milliseconds{1});
         if (broken) throw Error("the device is broken");
-        device_->launch(launch);
+        device().launch(launch);
     }
-    void flush() override {}
-    void finish() override {}
-
-  private:
-    std::unique_ptr<compute::Device> device_ = compute::make_cpp_device();
 };
 std::atomic<bool> HeldDevice::held{false}, HeldDevice::broken{false};
 

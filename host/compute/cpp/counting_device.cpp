@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "compute/forwarding_device.hpp"
 #include "compute/kernel_bytes.hpp"
 #include "compute/perf/perf_device.hpp"
 #include "counted_float.hpp"
@@ -25,32 +26,13 @@ Tuning as_compiled(Tuning tuning) {
     return tuning;
 }
 
-class CountingDevice final : public Device {
+class CountingDevice final : public ForwardingDevice {
   public:
     CountingDevice(std::vector<LaunchCounts>& counts, const Tuning& tuning)
-        : device_(make_cpp_device()), tuning_(as_compiled(tuning)), counts_(counts) {}
+        : ForwardingDevice(make_cpp_device()), tuning_(as_compiled(tuning)), counts_(counts) {}
 
     std::string description() const override { return "cpp, counting"; }
     const Tuning& tuning() const override { return tuning_; }
-
-    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
-        return device_->allocate(bytes);
-    }
-    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
-        return device_->wrap(memory);
-    }
-    void begin_host_access(Buffer& buffer) override { device_->begin_host_access(buffer); }
-    void end_host_access(Buffer& buffer) override { device_->end_host_access(buffer); }
-    void upload(Buffer& buffer, std::span<const std::byte> data, std::size_t offset) override {
-        device_->upload(buffer, data, offset);
-    }
-    void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
-        device_->download(buffer, data, offset);
-    }
-    void copy(Buffer& from, Buffer& to, std::size_t bytes) override {
-        device_->copy(from, to, bytes);
-    }
-    void clear(Buffer& buffer, std::size_t bytes) override { device_->clear(buffer, bytes); }
 
     void launch(const Launch& launch) override {
         std::array<void*, most_tables> tables{};
@@ -67,11 +49,7 @@ class CountingDevice final : public Device {
             {std::string{launch.kernel.name}, touched.bytes(), counted_operations - before});
     }
 
-    void flush() override {}
-    void finish() override {}
-
   private:
-    std::unique_ptr<Device> device_; ///< has the memory
     const Tuning tuning_;
     std::vector<LaunchCounts>& counts_;
 };

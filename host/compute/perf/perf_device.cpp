@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "compute/forwarding_device.hpp"
 #include "compute/opencl/opencl_backend.hpp"
 #include "core/host_clock.hpp"
 #include "lineatlas/error.hpp"
@@ -20,53 +21,29 @@ std::uint64_t cpu_nanoseconds() {
            static_cast<std::uint64_t>(time.tv_nsec);
 }
 
-class PerfDevice final : public Device {
+class PerfDevice final : public ForwardingDevice {
   public:
     PerfDevice(std::unique_ptr<Device> device, std::span<const PerfEvent> events,
                std::vector<PerfCounts>& counts)
-        : device_(std::move(device)), opencl_(dynamic_cast<OpenClBackend*>(device_.get())),
-          events_(events), counts_(counts) {}
+        : ForwardingDevice(std::move(device)),
+          opencl_(dynamic_cast<OpenClBackend*>(&this->device())), events_(events), counts_(counts) {
+    }
 
-    std::string description() const override { return device_->description() + ", perf"; }
-    const Tuning& tuning() const override { return device_->tuning(); }
-
-    std::unique_ptr<Buffer> allocate(std::size_t bytes) override {
-        return device_->allocate(bytes);
-    }
-    std::uint64_t largest_buffer() const override { return device_->largest_buffer(); }
-    std::uint64_t free_memory() const override { return device_->free_memory(); }
-    std::unique_ptr<Buffer> wrap(std::span<std::byte> memory) override {
-        return device_->wrap(memory);
-    }
-    void begin_host_access(Buffer& buffer) override { device_->begin_host_access(buffer); }
-    void end_host_access(Buffer& buffer) override { device_->end_host_access(buffer); }
-    void upload(Buffer& buffer, std::span<const std::byte> data, std::size_t offset) override {
-        device_->upload(buffer, data, offset);
-    }
-    void download(Buffer& buffer, std::span<std::byte> data, std::size_t offset) override {
-        device_->download(buffer, data, offset);
-    }
-    void copy(Buffer& from, Buffer& to, std::size_t bytes) override {
-        device_->copy(from, to, bytes);
-    }
-    void clear(Buffer& buffer, std::size_t bytes) override { device_->clear(buffer, bytes); }
+    std::string description() const override { return device().description() + ", perf"; }
 
     void launch(const Launch& launch) override {
-        device_->finish(); // what was submitted before is not counted
+        device().finish(); // what was submitted before is not counted
         const std::vector<PerfReading> before = events_.read();
         const std::uint64_t cpu_time = cpu_nanoseconds();
         const std::int64_t start = host_nanoseconds();
-        device_->launch(launch);
-        device_->finish();
+        device().launch(launch);
+        device().finish();
         PerfCounts own{.kernel = std::string{launch.kernel.name},
                        .time = static_cast<std::uint64_t>(host_nanoseconds() - start)};
         if (is_cpu()) set_events(own, before, cpu_time);
         if (opencl_ != nullptr) own.resources = opencl_->resources(launch.kernel);
         counts_.push_back(std::move(own));
     }
-
-    void flush() override { device_->flush(); }
-    void finish() override { device_->finish(); }
 
   private:
     bool is_cpu() const { return opencl_ == nullptr || opencl_->device().is_cpu; }
@@ -82,7 +59,6 @@ class PerfDevice final : public Device {
         own.cache_misses = events[2];
     }
 
-    std::unique_ptr<Device> device_;
     OpenClBackend* opencl_; ///< the same device; null if it is not OpenCL's
     PerfEvents events_;
     std::vector<PerfCounts>& counts_;
